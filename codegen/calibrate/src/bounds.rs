@@ -76,7 +76,7 @@ impl Bounds {
     }
 
     /// Bound at which a value is; `None` if it is at none.
-    pub(crate) fn reached(&self, value: f64, start: f64) -> Option<f64> {
+    pub fn reached(&self, value: f64, start: f64) -> Option<f64> {
         let width = self.high - self.low;
         let least = |bound: f64| {
             AT * if width.is_finite() {

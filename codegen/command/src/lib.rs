@@ -18,6 +18,7 @@
 pub mod arguments;
 pub mod colors;
 pub mod command;
+mod interruption;
 #[cfg(feature = "lsp")]
 pub mod language_server;
 pub mod output;

@@ -31,6 +31,12 @@ const FRAMES: &str = "solving {wide_bar} {pos}/{len} frames, {eta} left";
 /// Template of a bar that counts sets of parameters.
 const SETS: &str = "solving {wide_bar} {pos}/{len} sets, {rate}, {eta} left";
 
+/// Template of a bar that shows a share of the work.
+const SHARE: &str = "searching {wide_bar} {percent}%, {eta} left";
+
+/// Parts of the whole work.
+const SHARES: u64 = 1000;
+
 impl Progress {
     /// Creates a bar for `total` times, and starts the clock.
     pub fn new(total: usize) -> Progress {
@@ -40,6 +46,16 @@ impl Progress {
     /// Creates a bar for `total` sets of parameters with their rate, and starts the clock.
     pub fn of_sets(total: u64) -> Progress {
         Progress::of(total, SETS)
+    }
+
+    /// Creates a bar for a share of the work, and starts the clock.
+    pub fn of_share() -> Progress {
+        Progress::of(SHARES, SHARE)
+    }
+
+    /// Reports that a share of the work is done, from 0 to 1.
+    pub fn reached_share(&mut self, share: f64) {
+        self.reached((share * SHARES as f64) as usize);
     }
 
     fn of(total: u64, template: &'static str) -> Progress {

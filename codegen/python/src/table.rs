@@ -46,6 +46,7 @@ impl Table {
             column: self.columns,
             skip: self.skip,
             time: self.time,
+            needs_times: true,
             shift: self.shift,
             unit: self.units,
             dialect: Known {

@@ -87,6 +87,8 @@ pub mod every_pose;
 #[doc(hidden)]
 pub mod first_step;
 #[doc(hidden)]
+pub mod full_turn;
+#[doc(hidden)]
 pub mod measure_watch;
 #[doc(hidden)]
 pub mod measures;

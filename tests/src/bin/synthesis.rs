@@ -28,14 +28,28 @@ struct Arguments {
 fn main() -> Result<ExitCode, Box<dyn Error>> {
     let arguments = Arguments::parse();
     for (place, case) in CASES.iter().enumerate() {
-        if arguments.case.is_some_and(|it| it != place) { continue; }
+        if arguments.case.is_some_and(|it| it != place) {
+            continue;
+        }
         let begin = Instant::now();
-        let sampling = StartSampling { count: arguments.starts, fits: arguments.fits, seed: arguments.seed };
+        let sampling = StartSampling {
+            count: arguments.starts,
+            fits: arguments.fits,
+            seed: arguments.seed,
+        };
         let synthesis = case.synthesis(2);
-        let (found, counts) = synthesis.search(sampling, 8, &|_| ());
+        let (found, counts) = synthesis.search(
+            sampling,
+            8,
+            &std::sync::atomic::AtomicBool::new(false),
+            &|_| (),
+        );
         println!("{}: {counts:?} in {:?}", case.name, begin.elapsed());
         for it in found {
-            println!("  {:.6e} {} {:?} {:?} {:?}", it.squares, it.is_converged, it.modes.closed, it.values, it.times);
+            println!(
+                "  {:.6e} {} {:?} {:?} {:?}",
+                it.squares, it.is_converged, it.modes.closed, it.values, it.times
+            );
         }
     }
     Ok(ExitCode::SUCCESS)

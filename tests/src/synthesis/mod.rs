@@ -5,6 +5,7 @@
 mod cases;
 
 use std::f64::consts::TAU;
+use std::sync::atomic::AtomicBool;
 
 use linkwright_calibrate::{
     Bounds, Candidate, SearchCounts, StartSampling, Synthesis, Target, Targets,
@@ -108,13 +109,16 @@ impl Case {
             read.only().expect("one motion")
         };
         let (plain, along) = (derived(&[]), derived(&names));
-        let columns = ["P_x", "P_y"].into_iter().enumerate().map(|(axis, name)| Target {
-            name: name.to_string(),
-            observable: Observable::named(&plain, name).expect("a point"),
-            values: self.points.iter().map(|it| Some(it[axis])).collect(),
-            size: 1.0,
-            is_angle: false,
-        });
+        let columns = ["P_x", "P_y"]
+            .into_iter()
+            .enumerate()
+            .map(|(axis, name)| Target {
+                name: name.to_string(),
+                observable: Observable::named(&plain, name).expect("a point"),
+                values: self.points.iter().map(|it| Some(it[axis])).collect(),
+                size: 1.0,
+                is_angle: false,
+            });
         let times = self.timing.map(|[_, step]| {
             let rows = 0..self.points.len();
             rows.map(|row| (row as f64 * step).to_radians()).collect()
@@ -130,7 +134,12 @@ impl Case {
     }
 
     /// Returns the best candidates.
-    pub fn solved(&self, sampling: StartSampling, threads: usize) -> (Vec<Candidate>, SearchCounts) {
-        self.synthesis(threads).search(sampling, 8, &|_| ())
+    pub fn solved(
+        &self,
+        sampling: StartSampling,
+        threads: usize,
+    ) -> (Vec<Candidate>, SearchCounts) {
+        self.synthesis(threads)
+            .search(sampling, 8, &AtomicBool::new(false), &|_| ())
     }
 }

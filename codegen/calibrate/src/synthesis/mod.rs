@@ -13,11 +13,12 @@ mod starts;
 mod targets;
 
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 
 use linkwright_codegen::stages::model::Dimension;
 use linkwright_codegen::stages::system::Derived;
-use linkwright_solver::{Interpreted, Modes, Observable, View};
+use linkwright_solver::{Instant, Interpreted, Modes, Observable, View};
 
 use crate::Bounds;
 use crate::slopes::Slopes;
@@ -25,6 +26,9 @@ use minimum::Minimizer;
 use motion::MovedQuantities;
 pub use starts::{MAX_PARAMETERS, StartSampling};
 pub use targets::{Target, Targets};
+
+/// Share of the work that samples are taken for.
+const SAMPLING: f64 = 0.3;
 
 /// Limited measure that the search keeps.
 #[derive(Clone, Debug)]
@@ -95,7 +99,9 @@ pub enum Unsearchable {
 /// Counts of a search.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SearchCounts {
-    /// Number of sampled mechanisms, each in one assembly mode.
+    /// Number of combinations of assembly modes.
+    pub modes: usize,
+    /// Number of sampled mechanisms, each in one combination.
     pub sampled: usize,
     /// Number of these that move over the whole range.
     pub moving: usize,
@@ -157,29 +163,51 @@ impl Synthesis {
         &self.task.names
     }
 
+    /// Mechanism with the sensitivities to the chosen parameters.
+    pub fn view(&self) -> &Interpreted {
+        &self.moved.view
+    }
+
+    /// Targets.
+    pub fn targets(&self) -> &Targets {
+        &self.task.targets
+    }
+
+    /// Assembles a candidate at the time `t` (s); `None` if that fails.
+    pub fn assembled(&self, candidate: &Candidate, t: f64) -> Option<Instant> {
+        let shell = self
+            .moved
+            .assembled(&candidate.values, &candidate.modes, t)?;
+        Some(shell.frame().clone())
+    }
+
     /// Returns the best candidates in the order of their squares, of which each differs from the better ones. `reached` receives the share of
-    /// the work that is done.
+    /// the work that is done. As soon as `stop` is true, the search ends with the candidates so far.
     pub fn search(
         &self,
         sampling: StartSampling,
         most: usize,
+        stop: &AtomicBool,
         reached: &(dyn Fn(f64) + Sync),
     ) -> (Vec<Candidate>, SearchCounts) {
-        let (starts, counts) = self.starts(sampling, &|share| reached(0.3 * share));
+        let reached_samples = |share| reached(SAMPLING * share);
+        let (starts, mut counts) = self.starts(sampling, stop, &reached_samples);
         let candidates = Mutex::new(Vec::new());
+        let fitted = AtomicUsize::new(0);
         let next = Mutex::new(starts.iter().enumerate());
         let task = &self.task;
         let work = |moved: MovedQuantities| {
             loop {
                 let start = next.lock().map_or(None, |mut it| it.next());
-                let Some((place, start)) = start else {
+                let (Some((place, start)), false) = (start, stop.load(Ordering::Relaxed)) else {
                     return;
                 };
                 let candidate = Minimizer::new(task, &moved).minimum(start);
                 if let (Some(candidate), Ok(mut candidates)) = (candidate, candidates.lock()) {
                     candidates.push((place, candidate));
                 }
-                reached(0.3 + 0.7 * (place + 1) as f64 / starts.len() as f64);
+                let fitted = fitted.fetch_add(1, Ordering::Relaxed) + 1;
+                reached(SAMPLING + (1.0 - SAMPLING) * fitted as f64 / starts.len() as f64);
             }
         };
         thread::scope(|scope| {
@@ -188,6 +216,7 @@ impl Synthesis {
                 scope.spawn(|| work(moved));
             }
         });
+        counts.fitted = fitted.into_inner();
         let mut candidates = candidates.into_inner().unwrap_or_default();
         // Threads end in any order.
         candidates.sort_by_key(|it: &(usize, Candidate)| it.0);

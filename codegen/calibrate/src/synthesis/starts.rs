@@ -1,5 +1,7 @@
 //! Samples mechanisms in all assembly modes, and selects starts of fits among those that move over the whole range.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use linkwright::Blocks as _;
 use linkwright_solver::comparison::difference;
 use linkwright_solver::sets::Sobol;
@@ -49,18 +51,22 @@ impl Synthesis {
     pub(super) fn starts(
         &self,
         sampling: StartSampling,
+        stop: &AtomicBool,
         reached: &dyn Fn(f64),
     ) -> (Vec<Start>, SearchCounts) {
+        let all_modes = self.all_modes();
         let mut counts = SearchCounts {
-            sampled: sampling.count as usize,
+            modes: all_modes.len(),
             ..SearchCounts::default()
         };
         let Some(sobol) = Sobol::new(self.task.names.len(), Some(sampling.seed)) else {
             return (Vec::new(), counts);
         };
-        let all_modes = self.all_modes();
         let mut starts: Vec<Start> = Vec::new();
         for first in (0..sampling.count).step_by(CHUNK) {
+            if stop.load(Ordering::Relaxed) {
+                break;
+            }
             let indices = first..sampling.count.min(first + CHUNK as u32);
             for (place, modes) in all_modes.iter().enumerate() {
                 let own = indices.clone();
@@ -68,6 +74,7 @@ impl Synthesis {
                 let values: Vec<Vec<f64>> = own.map(|it| self.sampled(&sobol, it)).collect();
                 starts.extend(self.moving(&values, modes));
             }
+            counts.sampled = indices.end as usize;
             reached(f64::from(indices.end) / f64::from(sampling.count));
         }
         counts.moving = starts.len();
@@ -76,7 +83,6 @@ impl Synthesis {
         let others = starts.split_off(best);
         let spread = (sampling.fits - best).min(others.len());
         starts.extend((0..spread).map(|it| others[it * others.len() / spread].clone()));
-        counts.fitted = starts.len();
         (starts, counts)
     }
 

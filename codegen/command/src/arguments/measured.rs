@@ -42,12 +42,13 @@ pub struct Table {
 }
 
 impl Table {
-    /// Returns the requested reading.
-    pub fn reading(&self) -> Reading {
+    /// Returns the requested reading of a table, which may do without times if `needs_times` is false.
+    pub fn reading(&self, needs_times: bool) -> Reading {
         Reading {
             column: self.column.clone(),
             skip: self.skip.clone(),
             time: self.time.clone(),
+            needs_times,
             shift: self.shift,
             unit: self.unit.clone(),
             dialect: Known {

@@ -8,6 +8,7 @@ mod shell;
 mod simulate;
 mod solve;
 mod sweep;
+mod synthesize;
 mod tolerance;
 mod travel;
 mod units;
@@ -22,6 +23,7 @@ pub use shell::{Completions, Fmt, Lsp, Man, New};
 pub use simulate::{Simulate, StepMethod};
 pub use solve::{Formulation, Solve};
 pub use sweep::Sweep;
+pub use synthesize::Synthesize;
 pub use tolerance::{SampleSequence, Tolerance};
 pub use travel::Travel;
 pub use units::{ReportedIn, units};
@@ -62,6 +64,7 @@ Examples:
   linkwright check mechanisms/two_body.mech
   linkwright travel mechanisms/two_body.mech --drive 'phi(1)'
   linkwright compare mechanisms/arm.mech measured.csv
+  linkwright synthesize lift.mech path.csv --param L2,L3=20mm..200mm
   linkwright generate mechanisms/two_body.mech -o two_body.rs
   linkwright fmt mechanisms --check
   linkwright new walker
@@ -101,6 +104,8 @@ pub enum Command {
     Compare(Compare),
     /// Fit parameters to measured data
     Calibrate(Calibrate),
+    /// Choose parameters for which the motion meets a table of targets
+    Synthesize(Synthesize),
     /// Format descriptions
     Fmt(Fmt),
     /// Write a crate with a mechanism, a loop and a test as a start

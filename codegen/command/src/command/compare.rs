@@ -23,7 +23,7 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
         source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
     let derived = determined(&source, arguments.described.motion.as_deref())?;
     let derived = set_all(derived, &arguments.setting.set)?;
-    let data = read(&arguments.table, &derived)?;
+    let data = read(&arguments.table, &derived, true)?;
     let derived = data.drive(derived).map_err(Problem)?;
     let tolerances = sizes("--tolerance", &arguments.tolerance, &data).map_err(Problem)?;
     let start = arguments.from.unwrap_or(data.times[0]);
@@ -99,9 +99,9 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
 ///
 /// # Errors
 /// The table has errors, an option cannot be used, or no column measures a quantity of the mechanism.
-pub fn read(table: &Table, derived: &Derived) -> Result<Data, Problem> {
+pub fn read(table: &Table, derived: &Derived, needs_times: bool) -> Result<Data, Problem> {
     let Derived { pool, system } = derived;
     let name = table.data.display().to_string();
     let bytes = bytes(&table.data).map_err(Problem)?;
-    Data::read(&name, &bytes, &table.reading(), pool, system).map_err(Problem)
+    Data::read(&name, &bytes, &table.reading(needs_times), pool, system).map_err(Problem)
 }

@@ -6,6 +6,8 @@
 pub mod animate;
 mod animation_format;
 #[cfg(feature = "calibrate")]
+mod bounds;
+#[cfg(feature = "calibrate")]
 pub mod calibrate;
 pub mod check;
 pub mod compare;
@@ -25,11 +27,15 @@ pub mod new;
 mod picture_format;
 pub mod plan;
 mod report;
+#[cfg(feature = "calibrate")]
+mod rewritten;
 pub mod simulate;
 pub mod solve;
 mod solve_files;
 pub mod sweep;
 mod sweep_files;
+#[cfg(feature = "calibrate")]
+pub mod synthesize;
 pub mod tolerance;
 pub mod travel;
 mod travel_region;
@@ -130,6 +136,10 @@ fn outcome(command: Command, interface: clap::Command) -> Result<Outcome, Proble
         Command::Calibrate(calibrate) => calibrate::run(&calibrate),
         #[cfg(not(feature = "calibrate"))]
         Command::Calibrate(_) => Err(left_out::refusal("calibrate", "fits parameters")),
+        #[cfg(feature = "calibrate")]
+        Command::Synthesize(synthesize) => synthesize::run(&synthesize),
+        #[cfg(not(feature = "calibrate"))]
+        Command::Synthesize(_) => Err(left_out::refusal("calibrate", "chooses parameters")),
         Command::Fmt(fmt) => fmt::run(&fmt),
         Command::New(new) => new::run(&new),
         #[cfg(feature = "lsp")]

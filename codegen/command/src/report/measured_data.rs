@@ -11,16 +11,16 @@ use linkwright_solver::data::{Data, How, Measured, Origin};
 /// # Errors
 /// Errors of `output`.
 pub fn write_data(title: &str, data: &Data, output: &mut dyn Write) -> io::Result<()> {
-    let (first, last) = (data.times.first(), data.times.last());
-    let [first, last] = [first, last].map(|it| time(it.copied().unwrap_or(f64::NAN)));
-    writeln!(
-        output,
-        "{title} and {}: {} from t = {first} s to {last} s",
-        data.name,
-        counted(data.times.len(), "row")
-    )?;
+    let rows = counted(data.rows(), "row");
+    let extent = match (data.times.first(), data.times.last()) {
+        (Some(first), Some(last)) => format!("from t = {} s to {} s", time(*first), time(*last)),
+        _ => "in this order".to_string(),
+    };
+    writeln!(output, "{title} and {}: {rows} {extent}", data.name)?;
     writeln!(output, "read as {}", data.columns.reading())?;
-    let (column, scale) = &data.time;
+    let Some((column, scale)) = &data.time else {
+        return Ok(());
+    };
     let assumed = match scale.origin {
         Origin::Assumed => ", as no unit is given",
         _ => "",

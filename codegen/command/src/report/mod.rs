@@ -34,5 +34,9 @@ pub mod stack_up_json;
 pub mod stack_up_plot;
 pub mod summary;
 pub mod sweep_plot;
+#[cfg(feature = "calibrate")]
+pub mod synthesis;
+#[cfg(feature = "calibrate")]
+pub mod synthesis_json;
 pub mod travel_json;
 pub mod travel_text;

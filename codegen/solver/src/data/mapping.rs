@@ -29,7 +29,8 @@ pub enum How {
 
 /// Quantities of the columns.
 pub struct Mapped {
-    pub time: usize,
+    /// Column of times; `None` if the rows have an order only.
+    pub time: Option<usize>,
     pub measured: Vec<(usize, Named, How)>,
     /// Columns that drive inputs, with the index of the input.
     pub inputs: Vec<(usize, usize)>,
@@ -67,9 +68,9 @@ fn listed(names: &[&str]) -> String {
     }
 }
 
-fn time(reading: &Reading, file: &str, columns: &Columns) -> Result<usize, String> {
+fn time(reading: &Reading, file: &str, columns: &Columns) -> Result<Option<usize>, String> {
     if let Some(name) = &reading.time {
-        return column(file, columns, name);
+        return column(file, columns, name).map(Some);
     }
     let is_time =
         |place: &usize| TIMES.contains(&columns.columns[*place].name.to_lowercase().as_str());
@@ -79,7 +80,8 @@ fn time(reading: &Reading, file: &str, columns: &Columns) -> Result<usize, Strin
         listed(&names)
     };
     match candidates.as_slice() {
-        [column] => Ok(*column),
+        [column] => Ok(Some(*column)),
+        [] if !reading.needs_times => Ok(None),
         [] => Err(format!(
             "error: no column of `{file}` is called `t` or `time`\n  = help: name the column of times with `{}`: {}",
             reading.names.time,
@@ -145,7 +147,7 @@ pub fn mapped(
     };
     for (place, own) in columns.columns.iter().enumerate() {
         let option = chosen.iter().find(|it| it.0 == place).map(|it| it.1);
-        if place == time && option.is_none() {
+        if Some(place) == time && option.is_none() {
             continue;
         }
         let name = own.name.as_str();
@@ -192,6 +194,15 @@ pub fn mapped(
                     .push((place, quantities[quantity].clone(), how))
             }
         }
+    }
+    if let (None, Some((column, input))) = (time, mapped.inputs.first()) {
+        return Err(format!(
+            "error: column {} of `{file}` drives the input `{}`, and its rows have no times\n  = help: name the column of times with `{}`, or leave the column out with `{}`",
+            column + 1,
+            inputs[*input].name,
+            reading.names.time,
+            reading.names.skip
+        ));
     }
     if mapped.measured.is_empty() {
         let names: Vec<&str> = quantities.iter().map(|it| it.name.as_str()).collect();

@@ -41,6 +41,8 @@ pub struct Reading {
     pub skip: Vec<String>,
     /// Name of the column of times; `None` for the only one that is named so.
     pub time: Option<String>,
+    /// True if a table without times is an error; false if its rows may have an order only.
+    pub needs_times: bool,
     /// Time added to all times (s).
     pub shift: f64,
     /// Units, `COLUMN=UNIT` of one column, `UNIT` of all without a unit in the header.
@@ -58,9 +60,9 @@ pub struct Data {
     pub name: String,
     /// Contents.
     pub columns: Columns,
-    /// Index of the column of times, and its unit.
-    pub time: (usize, Scale),
-    /// Time of each row (s).
+    /// Index of the column of times, and its unit; `None` if the rows have an order only.
+    pub time: Option<(usize, Scale)>,
+    /// Time of each row (s); empty if the rows have an order only.
     pub times: Vec<f64>,
     /// Measured quantities.
     pub measured: Vec<Measured>,
@@ -98,6 +100,12 @@ impl Measured {
 }
 
 impl Data {
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        let columns = self.columns.columns.iter();
+        columns.map(|it| it.values.len()).max().unwrap_or(0)
+    }
+
     /// Reads a table of this name from its bytes.
     ///
     /// # Errors
@@ -129,17 +137,21 @@ impl Data {
             };
             rendered(name, &columns.text, &[fault])
         };
-        let time_scale = units.of(&columns, mapped.time, [0, 1, 0, 0], "s");
-        let time_scale = time_scale.map_err(|message| {
-            at(
-                mapped.time,
-                message,
-                &format!(
+        let time_column = mapped.time.map(|column| {
+            let scale = units.of(&columns, column, [0, 1, 0, 0], "s");
+            let scale = scale.map_err(|message| {
+                let help = format!(
                     "give the unit of a column with `{unit}`, and the column of times with `{time}`"
-                ),
-            )
-        })?;
-        let times = times(name, &columns, mapped.time, &time_scale, reading)?;
+                );
+                at(column, message, &help)
+            });
+            Ok::<_, String>((column, scale?))
+        });
+        let time_column = time_column.transpose()?;
+        let times = match &time_column {
+            Some((column, scale)) => times(name, &columns, *column, scale, reading)?,
+            None => Vec::new(),
+        };
         let mut measured = Vec::with_capacity(mapped.measured.len());
         for (column, quantity, how) in mapped.measured {
             let source = &columns.columns[column];
@@ -179,7 +191,7 @@ impl Data {
         }
         Ok(Data {
             inputs,
-            time: (mapped.time, time_scale),
+            time: time_column,
             left_out: mapped.left_out,
             names: reading.names,
             name: name.to_string(),

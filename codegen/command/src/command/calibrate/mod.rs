@@ -1,20 +1,18 @@
 //! Fits parameters of a description to a table of measured values.
 
-mod bounded;
 mod pictures;
-mod rewritten;
 
 use linkwright_calibrate::{Calibrator, Measurements, Unfit, leave_out_underived};
 use linkwright_codegen::diagnostic::{Source, nearest};
 use linkwright_codegen::stages::system::{Derived, System};
 use linkwright_solver::opened::Unopened;
 
-use self::bounded::bounded;
-use self::rewritten::rewritten;
+use super::bounds::bounds;
 use super::compare::read;
 use super::description::{
     chosen, determined, interpreted, outputs_besides, rendered, set_all, source, unopened,
 };
+use super::rewritten::rewritten;
 use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Calibrate;
 use crate::output::{Beginning, Record, Signature};
@@ -40,7 +38,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
     check_names(&plain.system, &arguments.param)?;
     let derived = along(&source, arguments)?;
     let derived = set_all(derived, &arguments.setting.set)?;
-    let mut data = read(&arguments.table, &derived)?;
+    let mut data = read(&arguments.table, &derived, true)?;
     let derived = data.drive(derived).map_err(Problem)?;
     leave_out_underived(&mut data, &derived).map_err(Problem)?;
     let measurements =
@@ -121,7 +119,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
     if let Some(output) = output {
         let names = calibrator.names().iter().map(String::as_str);
         let values: Vec<(&str, f64)> = names.zip(fit.values.iter().copied()).collect();
-        let text = rewritten(&source, &values, &derived.pool, &derived.system).map_err(Problem)?;
+        let text = rewritten(&source, &values, &[], &derived).map_err(Problem)?;
         let path = output.path().to_path_buf();
         output.write(|output| output.write_all(text.as_bytes()))?;
         if !arguments.json {
@@ -132,6 +130,35 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
         true => Outcome::Done,
         false => Outcome::Failed,
     })
+}
+
+/// Returns the calibrator with the bounds of the options.
+fn bounded(
+    calibrator: Calibrator,
+    system: &System,
+    options: &[String],
+) -> Result<Calibrator, Problem> {
+    let mut calibrator = calibrator;
+    for option in options {
+        let refused = |why: &str| {
+            Problem(format!(
+                "error: `--bound {option}` {why}\n  = help: write `L=1mm..2mm`, `L=0..` or `L=..` for no bounds"
+            ))
+        };
+        let (name, range) = option
+            .split_once('=')
+            .ok_or_else(|| refused("does not name a parameter"))?;
+        let name = name.trim();
+        let fitted = calibrator.names().iter().position(|it| it == name);
+        let mut parameters = system.mechanism.parameters.iter();
+        let parameter = parameters.find(|it| it.name == name);
+        let (Some(place), Some(parameter)) = (fitted, parameter) else {
+            return Err(refused("is not one of `--param`"));
+        };
+        let bounds = bounds(system, parameter, &format!("--bound {option}"), range)?;
+        calibrator = calibrator.within(place, bounds);
+    }
+    Ok(calibrator)
 }
 
 /// Returns the equations with the sensitivities to the fitted parameters.

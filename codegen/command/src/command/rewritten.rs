@@ -1,27 +1,33 @@
-//! Rewrites a description with new values of parameters; all other text is unchanged.
+//! Rewrites a description with new values of parameters and new poses of bodies; all other text is unchanged.
 //!
 //! A value keeps its unit and has all digits: reading it restores the fitted value up to the rounding of one multiplication. The new
 //! text is read for a check: it must be the same description with these values.
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::model::Dimension;
-use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::syntax::{Statement, parse};
 use linkwright_codegen::stages::system::{Derived, System};
 
 /// Largest relative difference of a written value from the fitted one.
 const VALUE_TOLERANCE: f64 = 1e-12;
 
-/// Returns the text with these values, which are in SI units.
+/// Body with its position (m) and its angle (rad).
+pub type BodyPose<'a> = (&'a str, [f64; 3]);
+
+/// Relative precision of the positions in a pose.
+const POSE_PRECISION: f64 = 1e-5;
+
+/// Returns the text with these values, which are in SI units, and with these poses in the design configuration.
 ///
 /// # Errors
-/// A parameter is not declared in a place where its value can be replaced.
+/// A parameter or a body is not declared in a place where it can be replaced.
 pub fn rewritten(
     source: &Source,
     values: &[(&str, f64)],
-    pool: &Pool,
-    system: &System,
+    poses: &[BodyPose<'_>],
+    derived: &Derived,
 ) -> Result<String, String> {
+    let Derived { pool, system } = derived;
     let document = parse(source, &mut Diagnostics::new());
     let statements = document.map_or(Vec::new(), |it| it.mechanism.statements);
     let mut edits = Vec::new();
@@ -46,6 +52,21 @@ pub fn rewritten(
         let now = in_its_unit(before, nominal, *value)
             .unwrap_or_else(|| in_si(*value, parameter.dimension));
         edits.push((range, now));
+    }
+    for (name, pose) in poses {
+        let declared = statements.iter().find_map(|it| match it {
+            Statement::Body(own) if own.name.text == *name => Some(own),
+            _ => None,
+        });
+        let place = declared.and_then(|it| {
+            let (start, end) = (it.name.span.range().end, it.span.range().end);
+            let length = source.text.get(start..end)?.find('{')?;
+            Some(start..start + length)
+        });
+        let place = place.ok_or_else(|| {
+            format!("error: the pose of `{name}` is not written where it could be replaced")
+        })?;
+        edits.push((place, at(*pose)));
     }
     edits.sort_by_key(|it| std::cmp::Reverse(it.0.start));
     let mut text = source.text.clone();
@@ -122,6 +143,27 @@ fn in_its_unit(before: &str, nominal: f64, value: f64) -> Option<String> {
         return None;
     }
     Some(format!("{}{unit}", value * (written / nominal)))
+}
+
+/// Writes a pose: ` at (40mm, 0mm, 30deg) `.
+fn at([x, y, angle]: [f64; 3]) -> String {
+    let extent = x.abs().max(y.abs());
+    // An estimate needs few digits.
+    let length = |value: f64| {
+        let step = 10.0_f64.powf((POSE_PRECISION * extent).log10().floor());
+        let rounded = match step > 0.0 {
+            true => (value / step).round() * step,
+            false => 0.0,
+        };
+        format!("{}mm", short(1e3 * rounded))
+    };
+    let angle = short((angle.to_degrees() * 1e3).round() / 1e3);
+    format!(" at ({}, {}, {angle}deg) ", length(x), length(y))
+}
+
+/// Returns a number without the digits of rounding.
+fn short(value: f64) -> f64 {
+    format!("{value:.9e}").parse().unwrap_or(value) + 0.0
 }
 
 /// Writes a value in SI units: `0.04m`, `0.3rad`, `2.5*1m/1s`.
