@@ -2,7 +2,10 @@
 
 use std::f64::consts::TAU;
 
+use linkwright_solver::Modes;
+
 use super::minimum::Problem;
+use super::starts::Start;
 use super::{Candidate, Task};
 
 /// Difference of a parameter, as a share of the width of its bounds, from which on two candidates are distinct.
@@ -60,23 +63,23 @@ impl Task {
         is_closed.then_some(())
     }
 
-    /// Returns the best candidates in their order, of which each differs from all better ones.
-    pub(super) fn distinct(&self, mut candidates: Vec<Candidate>, most: usize) -> Vec<Candidate> {
-        candidates.sort_by(|a, b| a.squares.total_cmp(&b.squares));
-        let mut kept: Vec<Candidate> = Vec::new();
-        for candidate in candidates {
+    /// Returns the best mechanisms in the order of their squares, of which each differs from all better ones.
+    pub(super) fn distinct<M: SearchPoint>(&self, mut all: Vec<M>, most: usize) -> Vec<M> {
+        all.sort_by(|a, b| a.squares().total_cmp(&b.squares()));
+        let mut kept: Vec<M> = Vec::new();
+        for one in all {
             if kept.len() == most {
                 break;
             }
-            if !kept.iter().any(|it| self.are_alike(it, &candidate)) {
-                kept.push(candidate);
+            if !kept.iter().any(|it| self.are_alike(it, &one)) {
+                kept.push(one);
             }
         }
         kept
     }
 
-    fn are_alike(&self, a: &Candidate, b: &Candidate) -> bool {
-        let values = a.values.iter().zip(&b.values);
+    fn are_alike(&self, a: &impl SearchPoint, b: &impl SearchPoint) -> bool {
+        let values = a.values().iter().zip(b.values());
         let mut pairs = values.zip(self.bounds.iter().zip(&self.are_angles));
         let are_near = pairs.all(|((a, b), (bounds, is_angle))| {
             let difference = match is_angle {
@@ -85,6 +88,46 @@ impl Task {
             };
             difference.abs() <= DISTINCT * (bounds.high - bounds.low)
         });
-        are_near && a.modes == b.modes
+        are_near && a.modes() == b.modes()
+    }
+}
+
+/// Mechanism with its distance from the targets.
+pub(super) trait SearchPoint {
+    /// Sum of the squared differences.
+    fn squares(&self) -> f64;
+
+    /// Chosen parameters.
+    fn values(&self) -> &[f64];
+
+    /// Assembly modes.
+    fn modes(&self) -> &Modes;
+}
+
+impl SearchPoint for Candidate {
+    fn squares(&self) -> f64 {
+        self.squares
+    }
+
+    fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    fn modes(&self) -> &Modes {
+        &self.modes
+    }
+}
+
+impl SearchPoint for Start {
+    fn squares(&self) -> f64 {
+        self.squares
+    }
+
+    fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    fn modes(&self) -> &Modes {
+        &self.modes
     }
 }

@@ -13,8 +13,9 @@ use super::penalties::Penalties;
 use super::starts::Start;
 use super::{Candidate, Task, targets};
 
-/// Largest number of solutions of the motion per variable.
-const PATIENCE: usize = 40;
+/// Largest number of solutions of the motion per variable, of a first fit and of a last one.
+const FIRST_PATIENCE: usize = 25;
+const PATIENCE: usize = 100;
 
 /// Largest number of rounds in which limits are kept more closely.
 const ROUNDS: usize = 12;
@@ -60,6 +61,29 @@ impl<'a> Minimizer<'a> {
         }
     }
 
+    /// Returns what a short fit makes of a start, with the penalties of broken limits among its squares; `None` if it cannot be moved.
+    pub fn first_fit(&self, start: &Start) -> Option<Start> {
+        let penalties = Penalties::new(self.penalty_count());
+        let problem = Problem::new(self, start, penalties)?;
+        let minimizer = LevenbergMarquardt::new().with_patience(FIRST_PATIENCE);
+        let (mut problem, _) = minimizer.minimize(problem);
+        // The minimizer may end with a step that is taken back.
+        problem.update();
+        problem.sampled.as_ref()?;
+        let (values, times) = problem.values();
+        Some(Start {
+            squares: problem.residuals()?.norm_squared(),
+            modes: start.modes.clone(),
+            values,
+            times,
+        })
+    }
+
+    /// Number of ends of limits in all frames.
+    fn penalty_count(&self) -> usize {
+        2 * self.task.frames.len() * self.limited.len()
+    }
+
     /// Returns the minimum; `None` if the limits cannot be kept, or the rows are not in their order.
     pub fn minimum(mut self, start: &Start) -> Option<Candidate> {
         let mut start = start.clone();
@@ -96,8 +120,7 @@ impl<'a> Minimizer<'a> {
 
     /// Minimizes with growing multipliers until all limits hold in all frames.
     fn within_limits<'b>(&'b self, start: &'b Start) -> Option<(Problem<'b>, bool)> {
-        let frames = self.task.frames.len();
-        let mut penalties = Penalties::new(2 * frames * self.limited.len());
+        let mut penalties = Penalties::new(self.penalty_count());
         let mut problem = Problem::new(self, start, penalties.clone())?;
         for _ in 0..ROUNDS {
             let minimizer = LevenbergMarquardt::new().with_patience(PATIENCE);
@@ -108,13 +131,13 @@ impl<'a> Minimizer<'a> {
                     report.termination,
                     TerminationReason::NoImprovementPossible(_)
                 );
-            // The minimizer may end with a step that is taken back.
             problem.update();
             let excesses = problem.excesses()?;
             if penalties.update(&excesses) <= EXCESS {
                 return Some((problem, is_converged));
             }
             problem.penalties = penalties.clone();
+            problem.update();
         }
         None
     }
@@ -133,6 +156,8 @@ pub(super) struct Problem<'a> {
     /// Variables of the parameters, then of the times of rows if these are sought.
     variables: DVector<f64>,
     sampled: Option<Sampled>,
+    /// Rows of the penalties by variable with their residuals in the last column, as many as variables and one; `None` without limits.
+    penalized: Option<DMatrix<f64>>,
     penalties: Penalties,
     /// Residual that represents a mechanism that does not move.
     far: f64,
@@ -159,6 +184,7 @@ impl<'a> Problem<'a> {
             start,
             variables: DVector::from_vec(variables),
             sampled: None,
+            penalized: None,
             penalties,
             far: 0.0,
             span,
@@ -211,6 +237,50 @@ impl<'a> Problem<'a> {
             let [rows, frames] = <[Vec<Sample>; 2]>::try_from(samples).ok()?;
             Some(Sampled { rows, frames })
         });
+        self.penalized = match minimizer.limited.is_empty() {
+            true => None,
+            false => self.penalized(),
+        };
+    }
+
+    /// Returns the rows of all penalties, brought to a fixed number by reflections, which change neither their squares nor their products.
+    fn penalized(&self) -> Option<DMatrix<f64>> {
+        let sampled = self.sampled.as_ref()?;
+        let minimizer = self.minimizer;
+        let excesses = self.excesses()?;
+        let (by_variable, count) = (self.by_variable(), self.variables.len());
+        let mut rows: Vec<f64> = Vec::new();
+        let mut place = 0;
+        for (limit, kept) in minimizer.task.limits.iter().enumerate() {
+            for frame in &sampled.frames {
+                let slopes = &frame.slopes[limit * by_variable.len()..][..by_variable.len()];
+                for sign in [-1.0, 1.0] {
+                    let [residual, weight] = self.penalties.residual(place, excesses[place]);
+                    place += 1;
+                    if residual == 0.0 {
+                        continue;
+                    }
+                    let slopes = slopes.iter().zip(&by_variable);
+                    rows.extend(slopes.map(|(slope, own)| sign * weight * slope * own / kept.size));
+                    rows.resize(rows.len() + count - by_variable.len(), 0.0);
+                    rows.push(residual);
+                }
+            }
+        }
+        let rows = DMatrix::from_row_slice(rows.len() / (count + 1), count + 1, &rows);
+        let rows = match rows.nrows() > count + 1 {
+            true => rows.qr().r(),
+            false => rows.resize_vertically(count + 1, 0.0),
+        };
+        Some(rows)
+    }
+
+    /// Returns the derivatives of the parameters by their variables.
+    fn by_variable(&self) -> Vec<f64> {
+        let bounds = self.minimizer.task.bounds.iter().enumerate();
+        let slopes =
+            bounds.map(|(place, it)| it.value(self.variables[place], self.start.values[place])[1]);
+        slopes.collect()
     }
 
     /// Returns the relative excess of all limits in all frames, at both ends; negative within the limits.
@@ -269,8 +339,11 @@ impl<'a> Problem<'a> {
     }
 
     fn count(&self) -> usize {
-        let task = self.minimizer.task;
-        task.targets.count() + 2 * task.limits.len() * task.frames.len()
+        let penalized = match self.minimizer.limited.is_empty() {
+            true => 0,
+            false => self.variables.len() + 1,
+        };
+        self.minimizer.task.targets.count() + penalized
     }
 }
 
@@ -289,34 +362,29 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
-        let (Some(differences), Some(excesses)) = (self.differences(), self.excesses()) else {
+        let Some(differences) = self.differences() else {
             return Some(DVector::from_element(self.count(), self.far));
         };
-        let columns = self.minimizer.task.targets.columns.iter().zip(&differences);
+        let columns = self.minimizer.task.targets.columns.iter();
+        let columns = columns.zip(&differences);
         let differences = columns.flat_map(|(column, differences)| {
             let differences = differences.iter().flatten();
             differences.map(move |it| it / column.size)
         });
-        let excesses = excesses.iter().enumerate();
-        let excesses = excesses.map(|(place, it)| self.penalties.residual(place, *it)[0]);
-        Some(DVector::from_iterator(
-            self.count(),
-            differences.chain(excesses),
-        ))
+        let penalized = self.penalized.iter();
+        let penalized = penalized.flat_map(|it| it.column(self.variables.len()));
+        let all = differences.chain(penalized.copied());
+        Some(DVector::from_iterator(self.count(), all))
     }
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
         let sampled = self.sampled.as_ref()?;
-        let minimizer = self.minimizer;
-        let task = minimizer.task;
-        let parameters = minimizer.moved.count();
-        let bounds = task.bounds.iter().enumerate();
-        let by_variable: Vec<f64> = bounds
-            .map(|(place, it)| it.value(self.variables[place], self.start.values[place])[1])
-            .collect();
+        let targets = &self.minimizer.task.targets;
+        let by_variable = self.by_variable();
+        let parameters = by_variable.len();
         let mut jacobian = DMatrix::zeros(self.count(), self.variables.len());
         let mut next = 0;
-        for (place, column) in task.targets.columns.iter().enumerate() {
+        for (place, column) in targets.columns.iter().enumerate() {
             for (row, sample) in sampled.rows.iter().enumerate() {
                 if column.values[row].is_none() {
                     continue;
@@ -331,20 +399,12 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
                 next += 1;
             }
         }
-        let excesses = self.excesses()?;
-        for (limit, kept) in task.limits.iter().enumerate() {
-            for frame in &sampled.frames {
-                let slopes = &frame.slopes[limit * parameters..][..parameters];
-                for sign in [-1.0, 1.0] {
-                    let place = next - task.targets.count();
-                    let [_, weight] = self.penalties.residual(place, excesses[place]);
-                    for (parameter, slope) in slopes.iter().enumerate() {
-                        jacobian[(next, parameter)] =
-                            sign * weight * slope * by_variable[parameter] / kept.size;
-                    }
-                    next += 1;
-                }
-            }
+        if let Some(penalized) = &self.penalized {
+            let (rows, columns) = (penalized.nrows(), self.variables.len());
+            let slopes = penalized.view((0, 0), (rows, columns));
+            jacobian
+                .view_mut((next, 0), (rows, columns))
+                .copy_from(&slopes);
         }
         Some(jacobian)
     }

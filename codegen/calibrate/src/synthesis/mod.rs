@@ -13,7 +13,7 @@ mod starts;
 mod targets;
 
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
 use linkwright_codegen::stages::model::Dimension;
@@ -24,11 +24,13 @@ use crate::Bounds;
 use crate::slopes::Slopes;
 use minimum::Minimizer;
 use motion::MovedQuantities;
+use starts::Start;
 pub use starts::{MAX_PARAMETERS, StartSampling};
 pub use targets::{Target, Targets};
 
-/// Share of the work that samples are taken for.
-const SAMPLING: f64 = 0.3;
+/// Shares of the work that samples and first fits are taken for.
+const SAMPLING: f64 = 0.2;
+const FITS: f64 = 0.6;
 
 /// Limited measure that the search keeps.
 #[derive(Clone, Debug)]
@@ -192,36 +194,60 @@ impl Synthesis {
     ) -> (Vec<Candidate>, SearchCounts) {
         let reached_samples = |share| reached(SAMPLING * share);
         let (starts, mut counts) = self.starts(sampling, stop, &reached_samples);
-        let candidates = Mutex::new(Vec::new());
-        let fitted = AtomicUsize::new(0);
-        let next = Mutex::new(starts.iter().enumerate());
         let task = &self.task;
-        let work = |moved: MovedQuantities| {
-            loop {
-                let start = next.lock().map_or(None, |mut it| it.next());
-                let (Some((place, start)), false) = (start, stop.load(Ordering::Relaxed)) else {
+        let reached_fits = |share| reached(SAMPLING + FITS * share);
+        let fits = self.each(&starts, stop, &reached_fits, |start, moved| {
+            Minimizer::new(task, moved).first_fit(start)
+        });
+        counts.fitted = fits.len();
+        let fits: Vec<Start> = fits.into_iter().flatten().collect();
+        let best = task.distinct(fits, most);
+        // An interrupted search brings the best fits so far to their minima.
+        let reached_minima = |share| reached(SAMPLING + FITS + (1.0 - SAMPLING - FITS) * share);
+        let minima = self.each(
+            &best,
+            &AtomicBool::new(false),
+            &reached_minima,
+            |start, moved| Minimizer::new(task, moved).minimum(start),
+        );
+        let candidates = minima.into_iter().flatten().collect();
+        (task.distinct(candidates, most), counts)
+    }
+
+    /// Works on all items on all threads, until `stop` is true; returns the results in the order of the items.
+    fn each<I: Sync, R: Send>(
+        &self,
+        items: &[I],
+        stop: &AtomicBool,
+        reached: &(dyn Fn(f64) + Sync),
+        work: impl Fn(&I, &MovedQuantities) -> R + Sync,
+    ) -> Vec<R> {
+        let results = Mutex::new(Vec::with_capacity(items.len()));
+        let next = Mutex::new(items.iter().enumerate());
+        let take = |moved: MovedQuantities| {
+            while !stop.load(Ordering::Relaxed) {
+                let item = next.lock().map_or(None, |mut it| it.next());
+                let Some((place, item)) = item else {
                     return;
                 };
-                let candidate = Minimizer::new(task, &moved).minimum(start);
-                if let (Some(candidate), Ok(mut candidates)) = (candidate, candidates.lock()) {
-                    candidates.push((place, candidate));
-                }
-                let fitted = fitted.fetch_add(1, Ordering::Relaxed) + 1;
-                reached(SAMPLING + (1.0 - SAMPLING) * fitted as f64 / starts.len() as f64);
+                let result = work(item, &moved);
+                let Ok(mut results) = results.lock() else {
+                    return;
+                };
+                results.push((place, result));
+                reached(results.len() as f64 / items.len() as f64);
             }
         };
         thread::scope(|scope| {
-            for _ in 0..self.threads.min(starts.len()) {
+            for _ in 0..self.threads.min(items.len()) {
                 let moved = self.moved.clone();
-                scope.spawn(|| work(moved));
+                scope.spawn(|| take(moved));
             }
         });
-        counts.fitted = fitted.into_inner();
-        let mut candidates = candidates.into_inner().unwrap_or_default();
+        let mut results: Vec<(usize, R)> = results.into_inner().unwrap_or_default();
         // Threads end in any order.
-        candidates.sort_by_key(|it: &(usize, Candidate)| it.0);
-        let candidates = candidates.into_iter().map(|it| it.1).collect();
-        (task.distinct(candidates, most), counts)
+        results.sort_by_key(|it| it.0);
+        results.into_iter().map(|it| it.1).collect()
     }
 }
 

@@ -43,7 +43,8 @@ pub(super) struct Start {
     pub modes: Modes,
     /// Time (s) of each row.
     pub times: Vec<f64>,
-    squares: f64,
+    /// Sum of the squared differences, each in sizes of its column.
+    pub squares: f64,
 }
 
 impl Synthesis {

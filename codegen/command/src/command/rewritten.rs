@@ -4,6 +4,7 @@
 //! text is read for a check: it must be the same description with these values.
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
+use linkwright_codegen::stages::columns::Unit;
 use linkwright_codegen::stages::model::Dimension;
 use linkwright_codegen::stages::syntax::{Statement, parse};
 use linkwright_codegen::stages::system::{Derived, System};
@@ -139,10 +140,15 @@ fn in_its_unit(before: &str, nominal: f64, value: f64) -> Option<String> {
         None => letters(unit),
     };
     let written: f64 = number.replace('_', "").parse().ok()?;
-    if !is_unit || written == 0.0 || nominal == 0.0 {
+    if !is_unit {
         return None;
     }
-    Some(format!("{}{unit}", value * (written / nominal)))
+    let value = match written == 0.0 || nominal == 0.0 {
+        // Zero does not tell the size of its unit.
+        true => Unit::parse(unit)?.of_si(value),
+        false => value * (written / nominal),
+    };
+    Some(format!("{value}{unit}"))
 }
 
 /// Writes a pose: ` at (40mm, 0mm, 30deg) `.
@@ -203,6 +209,7 @@ mod tests {
             of("-0.5", -0.5, -0.512_345_678_9).as_deref(),
             Some("-0.5123456789")
         );
+        assert_eq!(of("0mm", 0.0, 0.25).as_deref(), Some("250mm"));
         assert_eq!(of("3/1s", 3.0, 3.001).as_deref(), Some("3.001/1s"));
         assert_eq!(of("0.1 + 0.2", 0.3, 0.4), None);
         assert_eq!(of("sqrt(2)*1m", 1.414, 1.5), None);

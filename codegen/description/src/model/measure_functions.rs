@@ -18,6 +18,7 @@ pub const MEASURE_FUNCTIONS: &[&str] = &[
     "acceleration",
     "magnitude",
     "relative_angle",
+    "transmission_angle",
     "reaction",
     "moment",
     "effort",
@@ -49,6 +50,7 @@ impl Resolver<'_> {
         }
         let count = match name {
             "relative_angle" => 2,
+            "transmission_angle" => 3,
             _ => 1,
         };
         if arguments.len() != count {
@@ -63,6 +65,7 @@ impl Resolver<'_> {
             "speed" => self.speed(function, argument),
             "magnitude" => self.magnitude(argument),
             "relative_angle" => self.angle_between(function, arguments),
+            "transmission_angle" => self.transmission_angle(function, arguments),
             "moment" => self.moment_of_reaction(argument),
             "effort" | "power" => self.effort_of(function, argument),
             "length" | "tension" | "energy" => self.quantity_of_element(function, argument),
@@ -164,23 +167,6 @@ impl Resolver<'_> {
         }
         let [(x, dimension), (y, _)] = [values[0]?, values[1]?];
         Some(([x, y], dimension))
-    }
-
-    /// Resolves `relative_angle(a, b)`: the angle of b minus that of a.
-    fn angle_between(&mut self, function: &Name, bodies: &[Expression]) -> Option<Value> {
-        let angles: Vec<Option<ExprId>> = bodies
-            .iter()
-            .map(|body| {
-                let reference = self.written_place(function, body)?;
-                let mark = self.turning_mark(&reference)?;
-                if mark.frame.body.0 != 0 {
-                    self.mention_mark(mark);
-                }
-                Some(self.linkage.bodies[mark.frame.body.0].frame.angle)
-            })
-            .collect();
-        let (from, to) = (angles[0]?, angles[1]?);
-        Some((self.graph.subtract(to, from), Dimension::Angle))
     }
 
     fn moment_of_reaction(&mut self, argument: &Expression) -> Option<Value> {
@@ -307,6 +293,9 @@ impl Resolver<'_> {
         let message = format!("`{name}` takes {wanted} {noun}, not {given}");
         let example = match name {
             "relative_angle" => "write `relative_angle(a, b)` with the names of two bodies",
+            "transmission_angle" => {
+                "write `transmission_angle(B, C, D)` with the pin of both links between their other points"
+            }
             "rate" => "write `rate(…)` with one formula, such as `rate(phi(1))`",
             "effort" | "power" => "write the name of a driver: `effort(crank)`",
             "length" | "tension" | "energy" => {

@@ -34,6 +34,7 @@ mod live_name;
 mod loads;
 mod marks;
 mod measure;
+mod measure_angles;
 mod measure_functions;
 mod measured_element;
 mod measurement;
