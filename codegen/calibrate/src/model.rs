@@ -221,7 +221,6 @@ impl Calibrator {
                 let residual = measured.map(|it| difference(it, *value, is_angle[place]));
                 sampled.residuals[place].push(residual);
                 self.slopes.add(
-                    &self.view,
                     observables[place],
                     instant,
                     &derivatives,

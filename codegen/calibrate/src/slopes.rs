@@ -17,6 +17,8 @@ pub(crate) struct Slopes {
     /// Index of each parameter among all of the mechanism.
     pub parameters: Vec<usize>,
     places: SensitivityPlaces,
+    /// Index of each requested force or measure among the mechanism's measurements; `None` for forces.
+    measurements: Vec<Option<usize>>,
     points: HashMap<[usize; 3], PointSlopes>,
 }
 
@@ -41,7 +43,11 @@ impl Slopes {
         let symbols: Vec<SymbolId> = symbols
             .map(|it| system.mechanism.parameters[*it].symbol)
             .collect();
+        let all = Observable::all(view.derived()).into_iter();
+        let reported = all.filter(|(_, it)| matches!(it, Observable::Reported(_)));
+        let measurements = reported.map(|(_, it)| it.measurement(view.derived()));
         Slopes {
+            measurements: measurements.collect(),
             points: point_slopes(view, &symbols),
             places: SensitivityPlaces::of(system),
             parameters,
@@ -51,7 +57,6 @@ impl Slopes {
     /// Adds the derivatives of a quantity by every parameter; NaN if they are not derived. `derivatives` are those of the view at the instant.
     pub fn add(
         &self,
-        view: &Interpreted,
         observable: Observable,
         instant: &Instant,
         derivatives: &[f64],
@@ -81,13 +86,14 @@ impl Slopes {
                     moved.sum::<f64>() + direct[parameter]
                 }));
             }
-            _ => {
-                let measurement = observable.measurement(view.derived());
+            Observable::Reported(place) => {
+                let measurement = self.measurements.get(place).copied().flatten();
                 slopes.extend((0..count).map(|parameter| {
                     let place = measurement.and_then(|it| self.places.measure(parameter, it));
                     place.map_or(f64::NAN, derivative)
                 }));
             }
+            _ => slopes.extend((0..count).map(|_| f64::NAN)),
         }
     }
 }

@@ -109,8 +109,7 @@ impl MovedQuantities {
             let derivatives = self.view.derivatives(instant).unwrap_or_default();
             for observable in wanted.observables {
                 let slopes = &mut sample.slopes;
-                self.slopes
-                    .add(&self.view, *observable, instant, &derivatives, slopes);
+                self.slopes.add(*observable, instant, &derivatives, slopes);
             }
         }
         let all = sample.values.iter().chain(&sample.slopes);

@@ -40,6 +40,7 @@ enum Operation {
     Angle([Place; 2]),
     Exponential(Place),
     Logarithm(Place),
+    Magnitude(Place),
     /// Choice: the second value if the first is negative, otherwise the third.
     Choose([Place; 3]),
     /// Value whose magnitude is at most this limit.
@@ -107,6 +108,7 @@ impl Operation {
             Operation::Angle([y, x]) => Interval::angle(of(*y), of(*x)),
             Operation::Exponential(value) => of(*value).exponential(),
             Operation::Logarithm(value) => of(*value).logarithm(),
+            Operation::Magnitude(value) => of(*value).magnitude(),
             Operation::Choose([condition, below, otherwise]) => {
                 let condition = of(*condition);
                 match (condition.high < 0.0, condition.low >= 0.0) {
@@ -137,6 +139,7 @@ impl Operation {
             Operation::Product(factors) => factors.iter().for_each(|(base, _)| visit(*base)),
             Operation::Sine(one)
             | Operation::Cosine(one)
+            | Operation::Magnitude(one)
             | Operation::Exponential(one)
             | Operation::Logarithm(one)
             | Operation::Within(one, _) => visit(*one),
@@ -322,6 +325,9 @@ impl<'a> Enclosing<'a> {
             Node::Atan2(y, x) => Operation::Angle([*y, *x].map(|part| self.value(part))),
             Node::Exp(value) => Operation::Exponential(self.value(*value)),
             Node::Ln(value) => Operation::Logarithm(self.value(*value)),
+            Node::Choose { condition, .. } if self.graph.magnitude_of(expr).is_some() => {
+                Operation::Magnitude(self.value(*condition))
+            }
             Node::Choose {
                 condition,
                 below,

@@ -108,6 +108,19 @@ impl Interval {
         }
     }
 
+    /// Returns the magnitudes of all numbers in the interval.
+    pub fn magnitude(self) -> Interval {
+        match (self.low >= 0.0, self.high <= 0.0) {
+            (true, _) => self,
+            (_, true) => self.negated(),
+            _ => Interval {
+                low: 0.0,
+                high: self.high.max(-self.low),
+                ..self
+            },
+        }
+    }
+
     /// Returns the interval with opposite sign.
     #[must_use]
     pub fn negated(self) -> Interval {

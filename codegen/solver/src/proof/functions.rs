@@ -26,6 +26,8 @@ pub(super) struct Functions {
     taylor: Enclosed,
     /// Second derivatives by s.
     second: Enclosed,
+    /// Values at times and unknowns.
+    direct: Enclosed,
     /// Derivatives by the unknowns that each function mentions.
     gradient: Enclosed,
     /// Unknowns that each function mentions.
@@ -131,6 +133,7 @@ impl<'a> Writing<'a> {
         Functions {
             taylor: self.enclosed(&self.symbols, &taylor),
             second: self.enclosed(&self.symbols, &second),
+            direct: self.enclosed(&plain, &expressions),
             gradient: self.enclosed(&plain, &gradient),
             mentioned,
         }
@@ -220,6 +223,11 @@ impl Functions {
             first.plus(second.times(half_square))
         };
         values.map(value).collect()
+    }
+
+    /// Returns the values at these times and unknowns.
+    pub fn at(&self, at: &[Interval]) -> Vec<Interval> {
+        self.direct.at(at, &mut Vec::new())
     }
 
     /// Returns the derivatives of each function by the unknowns that it mentions, at these times and unknowns.

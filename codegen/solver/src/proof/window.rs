@@ -260,6 +260,17 @@ impl Verified {
                     sum.plus(derivative.times(self.off[unknown]))
                 })
             };
-        rows.map(value).collect()
+        let values: Vec<Interval> = rows.map(value).collect();
+        if values.iter().all(|it| is_bounded(*it)) {
+            return values;
+        }
+        // Where a function has a kink, its derivatives have no bounds.
+        let direct = functions.at(&self.all()).into_iter();
+        let values = values.into_iter().zip(direct);
+        let bounded = values.map(|(value, direct)| match is_bounded(value) {
+            true => value,
+            false => direct,
+        });
+        bounded.collect()
     }
 }
