@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector, Dyn};
 use super::motion::{MovedQuantities, Sample, Wanted};
 use super::penalties::Penalties;
 use super::starts::Start;
-use super::{Candidate, Task, targets};
+use super::{Candidate, KeptLimit, Task, targets};
 
 /// Largest number of solutions of the motion per variable, of a first fit and of a last one.
 const FIRST_PATIENCE: usize = 25;
@@ -22,6 +22,9 @@ const ROUNDS: usize = 12;
 
 /// Relative excess of a limit in a frame that is left to rounding.
 const EXCESS: f64 = 1e-9;
+
+/// Distance from the ends of a limit that solutions keep, in sizes of the measure.
+const INSIDE: f64 = 1e-6;
 
 /// Number of times that limits are narrowed by the excess between frames.
 const NARROWED: usize = 4;
@@ -53,7 +56,7 @@ impl<'a> Minimizer<'a> {
         };
         Minimizer {
             limited: task.limits.iter().map(|it| it.observable).collect(),
-            ends: task.limits.iter().map(|it| it.ends).collect(),
+            ends: task.limits.iter().map(narrowed).collect(),
             task,
             moved,
             observables,
@@ -141,6 +144,13 @@ impl<'a> Minimizer<'a> {
         }
         None
     }
+}
+
+/// Returns the ends of a limit, narrowed so that rounding and a proof leave it kept.
+fn narrowed(limit: &KeptLimit) -> [Option<f64>; 2] {
+    let [low, high] = limit.ends;
+    let margin = INSIDE * limit.size;
+    [low.map(|it| it + margin), high.map(|it| it - margin)]
 }
 
 /// Samples at all rows, and in all frames.

@@ -68,6 +68,7 @@ mod sweep_parquet;
 #[cfg(unix)]
 mod sweep_resumed;
 mod sweep_sets;
+mod synthesize;
 mod tolerance;
 mod travel;
 mod travel_region;

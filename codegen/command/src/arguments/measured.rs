@@ -63,7 +63,7 @@ impl Table {
                     Mark::Point => Decimal::Point,
                     Mark::Comma => Decimal::Comma,
                 }),
-                may_be_single: false,
+                may_be_single: !needs_times,
             },
             names: ArgumentNames {
                 column: "--column",

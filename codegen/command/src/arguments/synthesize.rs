@@ -65,7 +65,8 @@ pub struct Synthesize {
     /// Largest number of solutions that are listed
     #[arg(long, value_name = "N", default_value = "3", value_parser = clap::value_parser!(u32).range(1..=100))]
     pub solutions: u32,
-    /// Folder for the solutions: of each a description, and a picture with the paths of its points and the targets on them
+    /// Folder for the solutions: of each a description, NAME_1.mech, and a picture with the paths of its points and the targets on them,
+    /// NAME_1.svg
     #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Print one JSON object instead of text

@@ -18,6 +18,9 @@ const DIGITS: usize = 9;
 const DIFFERENCE_DIGITS: usize = 3;
 const MEASURE_DIGITS: usize = 6;
 
+/// Difference in sizes of its column that is put down to rounding.
+const ROUNDED: f64 = 1e-10;
+
 /// Synthesis to report.
 pub struct Report<'a> {
     /// Description with the initial values.
@@ -49,8 +52,6 @@ pub struct Search {
     pub counts: SearchCounts,
     /// Requested counts.
     pub requested: StartSampling,
-    /// Time (s).
-    pub seconds: f64,
     /// True if Ctrl-C ended it.
     pub is_interrupted: bool,
 }
@@ -152,12 +153,11 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
     let counts = report.search.counts;
     writeln!(
         output,
-        "{} in {} of assembly modes, of which {} move over the whole range; {} in {:.1} s{}\n",
+        "{} in {} of assembly modes, of which {} move over the whole range; {}{}\n",
         counted(counts.sampled, "sampled mechanism"),
         counted(counts.modes, "combination"),
         counts.moving,
         counted(counts.fitted, "fit"),
-        report.search.seconds,
         match report.search.is_interrupted {
             true => ", interrupted",
             false => "",
@@ -201,7 +201,11 @@ fn rows(report: &Report<'_>) -> Vec<Vec<String>> {
             "" => quantity,
             unit => format!("{quantity} ({unit})"),
         };
-        let in_unit = |si: f64| scientific(measured.scale.unit.of_si(si), DIFFERENCE_DIGITS);
+        let size = report.synthesis.targets().columns[column].size;
+        let in_unit = |si: f64| match si.abs() < ROUNDED * size {
+            true => "0".to_string(),
+            false => scientific(measured.scale.unit.of_si(si), DIFFERENCE_DIGITS),
+        };
         rows.push(row(format!("rms of {name}"), &|it| {
             in_unit(report.differences(it, column).rms)
         }));

@@ -21,7 +21,9 @@ pub fn chosen(system: &System, options: &[String]) -> Result<Vec<(String, Bounds
             return Err(unknown(system, name));
         };
         if chosen.iter().any(|it| it.0 == name) {
-            return Err(Problem(format!("error: `--param` names `{name}` twice")));
+            return Err(Problem(format!(
+                "error: `--param` names `{name}` twice\n  = help: name each parameter once"
+            )));
         }
         let written = options[place..]
             .iter()

@@ -28,11 +28,15 @@ const PLACES: usize = 360;
 pub struct Files(Vec<[Output; 2]>);
 
 impl Files {
-    /// Announces the files of all solutions that may be found.
+    /// Announces the files of all solutions of a mechanism of this name that may be found.
     ///
     /// # Errors
     /// A file exists or cannot be written.
-    pub fn announced(arguments: &Synthesize, source: &Source) -> Result<Files, Problem> {
+    pub fn announced(
+        arguments: &Synthesize,
+        source: &Source,
+        name: &str,
+    ) -> Result<Files, Problem> {
         let Some(folder) = &arguments.out else {
             return Ok(Files(Vec::new()));
         };
@@ -41,8 +45,8 @@ impl Files {
         let mut outputs = outputs_besides(path, source, table, arguments.force);
         let mut files = Vec::new();
         for place in 1..=arguments.solutions {
-            let description = in_folder(folder, &format!("solution_{place}.mech"))?;
-            let drawing = in_folder(folder, &format!("solution_{place}.svg"))?;
+            let description = in_folder(folder, &format!("{name}_{place}.mech"))?;
+            let drawing = in_folder(folder, &format!("{name}_{place}.svg"))?;
             files.push([
                 outputs.file(&description, SIGNATURE)?,
                 outputs.file(&drawing, picture::SIGNATURE)?,

@@ -8,7 +8,6 @@ mod task;
 use std::sync::Mutex;
 use std::sync::atomic::Ordering;
 use std::thread;
-use std::time::Instant;
 
 use linkwright_calibrate::{Bounds, StartSampling, Synthesis};
 use linkwright_codegen::Read;
@@ -51,13 +50,10 @@ pub fn run(arguments: &Synthesize) -> Result<Outcome, Problem> {
     }
     let bounds = chosen(&derived.system, &arguments.param)?;
     let data = read(&arguments.table, &derived, false)?;
-    if data.rows() == 0 {
-        return Err(Problem(format!("error: `{}` has no rows", data.name)));
-    }
     let derived = data.drive(derived).map_err(Problem)?;
     let range = MotionRange::of(arguments, &data, &derived)?;
     let (targets, permitted) = targets(&data, &arguments.tolerance, &derived)?;
-    let mut files = Files::announced(arguments, &source)?;
+    let mut files = Files::announced(arguments, &source, &derived.system.mechanism.name)?;
     // Prints the findings of the solution, which the search repeats.
     interpreted(&derived, &source)?;
     let plain = data.drive(along(&source, motion, &[])?).map_err(Problem)?;
@@ -76,7 +72,6 @@ pub fn run(arguments: &Synthesize) -> Result<Outcome, Problem> {
         seed: arguments.seed,
     };
     let most = arguments.solutions as usize;
-    let begin = Instant::now();
     let progress = Mutex::new(Progress::of_share());
     let stop = interruption::flag();
     let reached = |share: f64| {
@@ -85,7 +80,9 @@ pub fn run(arguments: &Synthesize) -> Result<Outcome, Problem> {
         }
     };
     let (candidates, counts) = synthesis.search(sampling, CANDIDATES_EACH * most, stop, &reached);
-    let progress = progress.into_inner().map(Progress::finish);
+    if let Ok(progress) = progress.into_inner() {
+        progress.finish();
+    }
     let certifier = Certifier {
         source: &source,
         derived: &derived,
@@ -117,7 +114,6 @@ pub fn run(arguments: &Synthesize) -> Result<Outcome, Problem> {
         search: Search {
             counts,
             requested: sampling,
-            seconds: progress.map_or(0.0, |_| begin.elapsed().as_secs_f64()),
             is_interrupted: stop.load(Ordering::Relaxed),
         },
     };
