@@ -1,5 +1,6 @@
 //! Writes the solutions of a synthesis as text.
 
+use std::collections::BTreeSet;
 use std::io::{self, Write};
 
 use linkwright_calibrate::{Bounds, SearchCounts, StartSampling, Synthesis};
@@ -175,6 +176,28 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
         output,
         "\n{proven} proven to move on one smooth path from t = {from} s to {to} s"
     )?;
+    if !report.derived.system.mechanism.limits.is_empty() {
+        let unproven: BTreeSet<&str> = report
+            .solutions
+            .iter()
+            .flat_map(|it| &it.unproven_limits)
+            .map(String::as_str)
+            .collect();
+        match unproven.is_empty() {
+            true => writeln!(
+                output,
+                "their limits are proven to be kept, between frames too"
+            )?,
+            false => {
+                let names: Vec<&str> = unproven.into_iter().collect();
+                let names = names.join(", ");
+                writeln!(
+                    output,
+                    "limits are kept, by located extremes between frames and without a proof for: {names}"
+                )?;
+            }
+        }
+    }
     if !report.rejected.is_empty() {
         let count = counted(report.rejected.len(), "better or equal candidate");
         writeln!(

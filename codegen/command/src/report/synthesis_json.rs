@@ -16,7 +16,7 @@
 //! | … `residuals` | targets minus solved values, column by column and row by row, in the unit of the column; null without a target |
 //! | … `within` | true if all differences are permitted |
 //! | … `smallest_sine` | measure of the closest approach to a singular pose; null if no pose is singular |
-//! | … `proof` | `{from, to, windows}` |
+//! | … `proof` | `{from, to, windows, unproven_limits}`: limits that hold by located extremes between frames, without a proof |
 //! | `rejected` | reasons of candidates that are no solutions |
 
 use std::collections::BTreeMap;
@@ -89,6 +89,7 @@ struct ProvenRange {
     from: f64,
     to: f64,
     windows: usize,
+    unproven_limits: Vec<String>,
 }
 
 /// Writes the object and a line break.
@@ -171,6 +172,7 @@ fn solution(report: &Report<'_>, solution: &Certified) -> SolutionObject {
             from,
             to,
             windows: solution.proof.windows,
+            unproven_limits: solution.unproven_limits.clone(),
         },
     }
 }

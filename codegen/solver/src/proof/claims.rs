@@ -24,6 +24,9 @@ const BEYOND: f64 = 0.04;
 /// Overshoot that is always permitted, as a part of a radian or of the largest swept length: a quantity at rest sweeps no range.
 const ALWAYS: f64 = 1e-6;
 
+/// Distance from an end of a limit, relative to the value, that bounds resolve.
+const NEAREST: f64 = 1e-8;
+
 /// Lower and upper bound.
 pub(super) type Bounds = [f64; 2];
 
@@ -48,6 +51,8 @@ pub(super) struct Claims {
     points: Vec<(usize, Functions)>,
     /// Quantities of `measure` statements: indices into the measurements of positions, with their functions.
     quantities: Vec<(usize, Functions)>,
+    /// Ends of the `limit` statements of these quantities.
+    ends: Vec<[Option<f64>; 2]>,
 }
 
 impl Claims {
@@ -84,8 +89,15 @@ impl Claims {
             let value = writing.without_definitions(system.measures.values[place]);
             (place, writing.functions(&[value]))
         });
+        let quantities: Vec<(usize, Functions)> = quantities.collect();
+        let ends = quantities.iter().map(|(place, _)| {
+            let mut limits = system.mechanism.limits.iter();
+            let limit = limits.find(|it| it.measurement == *place);
+            limit.map_or([None; 2], |it| it.ends)
+        });
         Claims {
-            quantities: quantities.collect(),
+            ends: ends.collect(),
+            quantities,
             measures,
             located,
             are_angles: {
@@ -158,10 +170,16 @@ impl Claims {
             .located
             .iter()
             .map(|&[_, size]| [LEAST * size, f64::INFINITY]);
+        let first = self.are_angles.len() + 2 * self.points.len();
         let others = swept.iter().enumerate().map(|(place, &[low, high])| {
             let always = ALWAYS * if is_angle(place) { 1.0 } else { largest };
             let beyond = BEYOND * (high - low) + always;
-            [low - beyond, high + beyond]
+            let limited = place.checked_sub(first).map(|it| self.ends[it]);
+            let [end_below, end_above] = limited.unwrap_or_default();
+            [
+                low - beyond.min(resolved(end_below.map(|end| low - end), low)),
+                high + beyond.min(resolved(end_above.map(|end| end - high), high)),
+            ]
         });
         measures.chain(others).map(Limit).collect()
     }
@@ -223,6 +241,12 @@ impl Claims {
             points: points.collect(),
         }
     }
+}
+
+/// Returns the distance from the end of a limit that bounds must keep; infinite if there is none, or if they cannot resolve it.
+fn resolved(distance: Option<f64>, value: f64) -> f64 {
+    let distance = distance.filter(|it| *it > NEAREST * value.abs());
+    distance.unwrap_or(f64::INFINITY)
 }
 
 /// Returns the bounds of an interval; infinite if the interval is unbounded.

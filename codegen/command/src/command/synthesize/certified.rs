@@ -24,6 +24,8 @@ pub struct Certified {
     pub check: Check,
     /// Proof of the motion.
     pub proof: Proof,
+    /// Names of limited measures whose limits hold between frames by located extremes alone, without a proof.
+    pub unproven_limits: Vec<String>,
 }
 
 /// Context of certificates.
@@ -71,6 +73,7 @@ impl Certifier<'_> {
             ));
         }
         Ok(Certified {
+            unproven_limits: unproven_limits(&check, &proof),
             candidate,
             text,
             check,
@@ -150,4 +153,18 @@ impl Certifier<'_> {
         });
         is_alike && outcomes.iter().all(|it| it.failure.is_none())
     }
+}
+
+/// Returns the names of limited measures whose proven bounds do not keep their limits.
+fn unproven_limits(check: &Check, proof: &Proof) -> Vec<String> {
+    let mechanism = &check.interpreted.system().mechanism;
+    let proven = proof.proven.iter().flat_map(|it| &it.measures);
+    let proven: Vec<_> = proven.collect();
+    let unproven = mechanism.limits.iter().filter(|limit| {
+        let mut own = proven.iter().filter(|it| it.0 == limit.measurement);
+        let holds = |ends: [f64; 2]| ends.iter().all(|it| limit.margin(*it) >= 0.0);
+        !own.any(|it| holds(it.1.bounds))
+    });
+    let names = unproven.map(|limit| mechanism.measurements[limit.measurement].name.clone());
+    names.collect()
 }
