@@ -102,6 +102,7 @@ const SOLVER: (&str, &[&str]) = (
         "warnings",
         "check",
         "travel",
+        "full_turn",
         "lib",
     ],
 );

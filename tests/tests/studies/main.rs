@@ -10,3 +10,4 @@ mod proofs;
 mod reports;
 mod stability;
 mod study;
+mod synthesis;

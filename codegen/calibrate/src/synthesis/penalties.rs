@@ -5,8 +5,11 @@
 /// Weight of excess in the first round.
 const FIRST_WEIGHT: f64 = 1.0;
 
-/// Factor of the weight if the excess has not become four times smaller.
+/// Factor of the weight if the excess decreases too slowly.
 const HEAVIER: f64 = 10.0;
+
+/// Largest ratio of successive excesses for which the weight stays.
+const DECREASE: f64 = 0.25;
 
 /// Multipliers of all limits in all frames, at both ends.
 #[derive(Clone, Debug)]
@@ -42,7 +45,7 @@ impl Penalties {
         let largest = excesses
             .iter()
             .fold(0.0_f64, |largest, it| largest.max(*it));
-        if largest > 0.25 * self.largest {
+        if largest > DECREASE * self.largest {
             self.weight *= HEAVIER;
         }
         self.largest = largest;

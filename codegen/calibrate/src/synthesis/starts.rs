@@ -14,7 +14,7 @@ use super::{SearchCounts, Synthesis};
 pub const MAX_PARAMETERS: usize = linkwright_solver::sets::MAX_DIMENSIONS;
 
 /// Largest number of loops of which both modes are tried.
-const MOST_LOOPS: usize = 6;
+const MAX_LOOPS: usize = 6;
 
 /// Number of mechanisms that are solved at once.
 const CHUNK: usize = 1024;
@@ -23,7 +23,7 @@ const CHUNK: usize = 1024;
 const MARGIN: f64 = 1e-3;
 
 /// Relative difference below which the first and the last pose are the same.
-const SAME: f64 = 1e-9;
+const CLOSING: f64 = 1e-9;
 
 /// Numbers of sampled and of fitted mechanisms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,9 +70,9 @@ impl Synthesis {
             }
             let indices = first..sampling.count.min(first + CHUNK as u32);
             for (place, modes) in all_modes.iter().enumerate() {
-                let own = indices.clone();
-                let own = own.filter(|it| *it as usize % all_modes.len() == place);
-                let values: Vec<Vec<f64>> = own.map(|it| self.sampled(&sobol, it)).collect();
+                let indices = indices.clone();
+                let of_mode = indices.filter(|it| *it as usize % all_modes.len() == place);
+                let values: Vec<Vec<f64>> = of_mode.map(|it| self.sampled(&sobol, it)).collect();
                 starts.extend(self.moving(&values, modes));
             }
             counts.sampled = indices.end as usize;
@@ -90,7 +90,7 @@ impl Synthesis {
     /// Returns all combinations of modes of the first loops in closed form; the others have those of the design configuration.
     fn all_modes(&self) -> Vec<Modes> {
         let drawn = self.plain.drawn_branches();
-        let loops = drawn.closed.len().min(MOST_LOOPS);
+        let loops = drawn.closed.len().min(MAX_LOOPS);
         let combinations = (0..1_usize << loops).map(|choice| {
             let mut modes = drawn.clone();
             for (place, branch) in modes.closed.iter_mut().take(loops).enumerate() {
@@ -165,7 +165,8 @@ impl Synthesis {
         let ends = [0, count - 1].map(|it| &solved[it * columns.len()..][..columns.len()]);
         let mut ends = columns.iter().zip(ends[0]).zip(ends[1]);
         let is_closed = ends.all(|((column, first), last)| {
-            difference(*first, *last, column.is_angle).abs() <= SAME * column.size.max(first.abs())
+            difference(*first, *last, column.is_angle).abs()
+                <= CLOSING * column.size.max(first.abs())
         });
         let instants = if is_closed { count - 1 } else { count };
         let costs =

@@ -18,6 +18,12 @@ pub type BodyPose<'a> = (&'a str, [f64; 3]);
 /// Relative precision of the positions in a pose.
 const POSE_PRECISION: f64 = 1e-5;
 
+/// Number of millimeters in a meter.
+const MILLIMETERS: f64 = 1000.0;
+
+/// Number of steps in a degree to which the angle of a pose is rounded.
+const ANGLE_STEPS: f64 = 1000.0;
+
 /// Returns the text with these values, which are in SI units, and with these poses in the design configuration.
 ///
 /// # Errors
@@ -161,9 +167,9 @@ fn at([x, y, angle]: [f64; 3]) -> String {
             true => (value / step).round() * step,
             false => 0.0,
         };
-        format!("{}mm", short(1e3 * rounded))
+        format!("{}mm", short(MILLIMETERS * rounded))
     };
-    let angle = short((angle.to_degrees() * 1e3).round() / 1e3);
+    let angle = short((angle.to_degrees() * ANGLE_STEPS).round() / ANGLE_STEPS);
     format!(" at ({}, {}, {angle}deg) ", length(x), length(y))
 }
 

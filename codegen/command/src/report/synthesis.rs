@@ -40,7 +40,7 @@ pub struct Report<'a> {
     pub turning: Option<&'a str>,
     /// Solutions, the best first.
     pub solutions: &'a [Certified],
-    /// Reasons of candidates that are no solutions.
+    /// Reasons for which candidates are left out.
     pub rejected: &'a [String],
     /// Search in numbers.
     pub search: Search,
@@ -233,12 +233,16 @@ fn rows(report: &Report<'_>) -> Vec<Vec<String>> {
             in_unit(report.differences(it, column).rms)
         }));
         rows.push(row("  largest".to_string(), &|it| {
-            let own = report.differences(it, column);
+            let differences = report.differences(it, column);
             let verdict = match report.permitted[column] {
-                Some(permitted) if own.largest > permitted => ", beyond",
+                Some(permitted) if differences.largest > permitted => ", beyond",
                 _ => "",
             };
-            format!("{} in row {}{verdict}", in_unit(own.largest), own.row + 1)
+            format!(
+                "{} in row {}{verdict}",
+                in_unit(differences.largest),
+                differences.row + 1
+            )
         }));
     }
     let parameters = &report.derived.system.mechanism.parameters;

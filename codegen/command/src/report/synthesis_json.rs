@@ -17,7 +17,7 @@
 //! | … `within` | true if all differences are permitted |
 //! | … `smallest_sine` | measure of the closest approach to a singular pose; null if no pose is singular |
 //! | … `proof` | `{from, to, windows, unproven_limits}`: limits that hold by located extremes between frames, without a proof |
-//! | `rejected` | reasons of candidates that are no solutions |
+//! | `rejected` | reasons for which candidates are left out |
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};

@@ -25,7 +25,7 @@ const BEYOND: f64 = 0.04;
 const ALWAYS: f64 = 1e-6;
 
 /// Distance from an end of a limit, relative to the value, that bounds resolve.
-const NEAREST: f64 = 1e-8;
+const RESOLUTION: f64 = 1e-8;
 
 /// Lower and upper bound.
 pub(super) type Bounds = [f64; 2];
@@ -245,7 +245,7 @@ impl Claims {
 
 /// Returns the distance from the end of a limit that bounds must keep; infinite if there is none, or if they cannot resolve it.
 fn resolved(distance: Option<f64>, value: f64) -> f64 {
-    let distance = distance.filter(|it| *it > NEAREST * value.abs());
+    let distance = distance.filter(|it| *it > RESOLUTION * value.abs());
     distance.unwrap_or(f64::INFINITY)
 }
 

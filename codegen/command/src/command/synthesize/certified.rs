@@ -48,7 +48,7 @@ impl Certifier<'_> {
     /// Certifies a candidate.
     ///
     /// # Errors
-    /// The reason that it is no solution, which completes "a candidate …".
+    /// The reason for which it is left out, which completes "a candidate …".
     pub fn certified(&self, candidate: Candidate) -> Result<Certified, String> {
         let (text, interpreted) = self.written(&candidate)?;
         let [from, to] = self.range.ends;
@@ -148,8 +148,8 @@ impl Certifier<'_> {
             let (Some(target), Some(residual)) = (column.values[row], residual) else {
                 return true;
             };
-            let own = difference(target, value, column.is_angle);
-            (own - residual).abs() <= ROUNDING * column.size.max(target.abs())
+            let repeated = difference(target, value, column.is_angle);
+            (repeated - residual).abs() <= ROUNDING * column.size.max(target.abs())
         });
         is_alike && outcomes.iter().all(|it| it.failure.is_none())
     }
@@ -161,9 +161,9 @@ fn unproven_limits(check: &Check, proof: &Proof) -> Vec<String> {
     let proven = proof.proven.iter().flat_map(|it| &it.measures);
     let proven: Vec<_> = proven.collect();
     let unproven = mechanism.limits.iter().filter(|limit| {
-        let mut own = proven.iter().filter(|it| it.0 == limit.measurement);
+        let mut bounds = proven.iter().filter(|it| it.0 == limit.measurement);
         let holds = |ends: [f64; 2]| ends.iter().all(|it| limit.margin(*it) >= 0.0);
-        !own.any(|it| holds(it.1.bounds))
+        !bounds.any(|it| holds(it.1.bounds))
     });
     let names = unproven.map(|limit| mechanism.measurements[limit.measurement].name.clone());
     names.collect()

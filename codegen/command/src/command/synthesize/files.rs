@@ -113,12 +113,12 @@ fn picture(report: &Report<'_>, solution: &Certified, number: usize) -> Result<S
         false => Schedule::instants(from, &[from], 1.0),
     };
     let schedule = schedule.map_err(|text| Problem(format!("error: {text}")))?;
-    let wanted = Wanted {
+    let selection = Wanted {
         points: points.clone(),
         ..Wanted::default()
     };
     let mut places = Places::default();
-    let mut motion = Followed::new(view.clone(), wanted, from, None);
+    let mut motion = Followed::new(view.clone(), selection, from, None);
     let followed = motion.follow(&schedule, &mut [&mut places], |_| ());
     followed.map_err(Problem::of)?;
     let paths = points.iter().enumerate().map(|(column, point)| Traced {
@@ -128,8 +128,8 @@ fn picture(report: &Report<'_>, solution: &Certified, number: usize) -> Result<S
     });
     let paths: Vec<Traced> = paths.collect();
     let first = solution.candidate.times.first().copied().unwrap_or(from);
-    let shown = report.synthesis.assembled(&solution.candidate, first);
-    let Some(shown) = shown else {
+    let assembled = report.synthesis.assembled(&solution.candidate, first);
+    let Some(instant) = assembled else {
         return Err(Problem("error: a solution cannot be drawn".to_string()));
     };
     let options = Options {
@@ -139,7 +139,7 @@ fn picture(report: &Report<'_>, solution: &Certified, number: usize) -> Result<S
     let drawing = drawing::draw(
         view.pool(),
         system,
-        &pose(report.synthesis.view(), &shown),
+        &pose(report.synthesis.view(), &instant),
         &[],
         &paths,
         &options,

@@ -97,12 +97,12 @@ pub fn targets(
         };
         let alike = data.measured.iter().filter(is_alike);
         let extent = alike.fold(0.0_f64, |extent, it| extent.max(extent_of(&it.values)));
-        let own = if extent > 0.0 { extent } else { 1.0 };
+        let extent = if extent > 0.0 { extent } else { 1.0 };
         Target {
             name: measured.name.clone(),
             observable: measured.quantity.observable,
             values: measured.values.clone(),
-            size: permitted.unwrap_or(own),
+            size: permitted.unwrap_or(extent),
             is_angle: measured.quantity.observable.is_angle(&derived.system),
         }
     });
