@@ -31,7 +31,15 @@ const FRAMES: &str = "solving {wide_bar} {pos}/{len} frames, {eta} left";
 /// Template of a bar that counts sets of parameters.
 const SETS: &str = "solving {wide_bar} {pos}/{len} sets, {rate}, {eta} left";
 
+/// Template of a bar that counts starts of a search.
+const STARTS: &str = "searching {wide_bar} {pos}/{len} starts, {eta} left";
+
 impl Progress {
+    /// Creates a bar for `total` starts of a search, and starts the clock.
+    pub fn of_starts(total: u32) -> Progress {
+        Progress::of(u64::from(total), STARTS)
+    }
+
     /// Creates a bar for `total` times, and starts the clock.
     pub fn new(total: usize) -> Progress {
         Progress::of(total as u64, FRAMES)
