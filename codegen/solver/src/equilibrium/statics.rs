@@ -25,10 +25,10 @@ pub(super) struct StaticEquations {
     /// Summands of the load along each unknown.
     summands: Reader,
     summand_rows: Vec<usize>,
-    /// Derivatives of loads by unknowns.
+    /// Summands of derivatives of loads by unknowns.
     slopes: Reader,
     slope_places: Vec<(usize, usize)>,
-    /// Second derivatives of constraints by unknowns.
+    /// Summands of second derivatives of constraints by unknowns.
     curvatures: Reader,
     curvature_places: Vec<(usize, usize, usize)>,
 }
@@ -98,8 +98,8 @@ impl StaticEquations {
             }
             for (column, &symbol) in symbols.iter().enumerate() {
                 let slope = pool.graph.derivative(load, symbol);
-                if slope != pool.graph.zero() {
-                    slopes.push(slope);
+                for term in parts(&mut pool, slope) {
+                    slopes.push(term);
                     slope_places.push((row, column));
                 }
             }
@@ -111,8 +111,8 @@ impl StaticEquations {
                 let slope = pool.graph.derivative(residual, symbol);
                 for (other, &symbol) in symbols.iter().enumerate() {
                     let curvature = pool.graph.derivative(slope, symbol);
-                    if curvature != pool.graph.zero() {
-                        curvatures.push(curvature);
+                    for term in parts(&mut pool, curvature) {
+                        curvatures.push(term);
                         curvature_places.push((row, column, other));
                     }
                 }
@@ -284,8 +284,11 @@ impl PoseForces {
     }
 }
 
-/// Returns the summands of a sum, and of the sums in products with it; an expression that is not a sum alone.
+/// Returns the summands of an expression: none of zero.
 fn parts(pool: &mut Pool, expr: ExprId) -> Vec<ExprId> {
+    if expr == pool.graph.zero() {
+        return Vec::new();
+    }
     let Node::Sum(terms) = pool.graph.node(expr).clone() else {
         return vec![expr];
     };

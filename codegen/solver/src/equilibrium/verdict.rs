@@ -9,7 +9,7 @@ use super::statics::{PoseForces, PoseStiffness, ROUNDING, StaticEquations};
 /// Part of the magnitudes that rounding leaves of an eigenvalue.
 const EIGENVALUE_ROUNDING: f64 = 1e-13;
 
-/// Part of the magnitudes below which an eigenvalue is compared with its value beside the pose.
+/// Part of the magnitudes of stiffness and loads below which an eigenvalue is compared with its value beside the pose.
 const SUSPECT: f64 = 1e-4;
 
 /// Number of doublings of a distance over which forces stay within rounding.
@@ -160,33 +160,31 @@ fn is_zero(
     if value.abs() <= rounding {
         return true;
     }
-    if value.abs() > SUSPECT * magnitude {
+    if value.abs() > SUSPECT * (magnitude + lengths.dot(&pose.magnitude)) {
         return false;
     }
     // As far as the force cannot be told from zero, the pose may be off.
     let step = pose.basis.tr_mul(along);
     let rounding = pose.rounding(along, stiffness);
-    let mut reach = SHORTEST;
-    for _ in 0..DOUBLINGS {
-        let sides = [reach, -reach].map(|it| equations.moved(pose, &(&step * it)));
-        let is_quiet = |side: &Option<PoseForces>| {
-            side.as_ref()
-                .is_some_and(|it| it.load.dot(&held(along, it)).abs() <= rounding)
-        };
-        if !sides.iter().all(is_quiet) {
-            break;
+    [1.0, -1.0].iter().any(|sign| {
+        let mut reach = SHORTEST;
+        for _ in 0..DOUBLINGS {
+            let Some(side) = equations.moved(pose, &(&step * (sign * reach))) else {
+                return false;
+            };
+            let along = held(along, &side);
+            if side.load.dot(&along).abs() > rounding {
+                return false;
+            }
+            let own = side.stiffness(equations).whole;
+            let beside = along.dot(&(own * &along)) / along.norm_squared();
+            if (beside - value).abs() > 0.5 * value.abs() {
+                return true;
+            }
+            reach *= 2.0;
         }
-        reach *= 2.0;
-    }
-    let sides = [reach, -reach].map(|it| equations.moved(pose, &(&step * it)));
-    let beside = sides.iter().flatten().map(|it| {
-        let own = it.stiffness(equations);
-        let along = held(along, it);
-        along.dot(&(&own.whole * &along)) / along.norm_squared()
-    });
-    beside
-        .into_iter()
-        .any(|it| (it - value).abs() > 0.5 * value.abs())
+        false
+    })
 }
 
 /// Returns the speed of a small motion (1/s).
