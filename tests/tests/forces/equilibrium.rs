@@ -85,14 +85,11 @@ fn a_pendulum_hangs_and_stands_at_any_scale() {
         ("2e3*1m", 2e3),
         ("2e-6m", 2e-6),
     ] {
-        let found = equilibria(&pendulum(text));
-        assert_eq!(stabilities(&found), [Stable, Unstable], "{text}");
-        assert_eq!(
-            found.coverage,
-            Coverage::Curves(vec![[CurveEnd::Closed; 2]])
-        );
-        let [hanging, standing] = &found.all[..] else {
-            panic!("{found:?}")
+        let list = equilibria(&pendulum(text));
+        assert_eq!(stabilities(&list), [Stable, Unstable], "{text}");
+        assert_eq!(list.coverage, Coverage::Curves(vec![[CurveEnd::Closed; 2]]));
+        let [hanging, standing] = &list.all[..] else {
+            panic!("{list:?}")
         };
         assert!(hanging.free[0].abs() < 1e-14, "{:?}", hanging.free);
         near(standing.free[0], PI, 1e-14);
@@ -105,7 +102,7 @@ fn a_pendulum_hangs_and_stands_at_any_scale() {
             length,
             1e-14,
         );
-        assert_eq!(found.nearest, Some(0));
+        assert_eq!(list.nearest, Some(0));
     }
 }
 
@@ -130,22 +127,22 @@ const WEIGHT: f64 = 3.0 * 9.81 * 2.0;
 #[test]
 fn a_sprung_pendulum_leans_where_its_moments_balance() {
     let leaning = zero(|phi| 40.0 * phi - WEIGHT * phi.sin(), [0.5, 3.0]);
-    let found = equilibria(&inverted("40Nm"));
-    assert_eq!(stabilities(&found), [Stable, Unstable, Stable]);
-    near(found.all[0].free[0], -leaning, 1e-13);
-    near(found.all[2].free[0], leaning, 1e-13);
+    let list = equilibria(&inverted("40Nm"));
+    assert_eq!(stabilities(&list), [Stable, Unstable, Stable]);
+    near(list.all[0].free[0], -leaning, 1e-13);
+    near(list.all[2].free[0], leaning, 1e-13);
     let rate = ((40.0 - WEIGHT * leaning.cos()) / 12.0).sqrt();
-    near(found.all[2].verdict.motions[0].frequency, rate / TAU, 1e-12);
+    near(list.all[2].verdict.motions[0].frequency, rate / TAU, 1e-12);
     near(
-        found.all[1].verdict.motions[0].growth,
+        list.all[1].verdict.motions[0].growth,
         ((WEIGHT - 40.0) / 12.0).sqrt(),
         1e-12,
     );
-    assert_eq!(found.nearest, Some(2));
+    assert_eq!(list.nearest, Some(2));
     // The pitchfork itself.
-    let found = equilibria(&inverted("3*9.81*2*1Nm"));
-    assert_eq!(stabilities(&found), [Indifferent]);
-    assert!(!found.all[0].is_of_family);
+    let list = equilibria(&inverted("3*9.81*2*1Nm"));
+    assert_eq!(stabilities(&list), [Indifferent]);
+    assert!(!list.all[0].is_of_family);
 }
 
 #[test]
@@ -176,7 +173,7 @@ fn stability_ends_at_the_pitchfork() {
 #[test]
 fn a_double_pendulum_has_four_equilibria() {
     let (masses, lengths, g) = ([2.0, 3.0], [1.5, 0.7], 9.81);
-    let found = equilibria(
+    let list = equilibria(
         "mechanism double {
             point O = (0, 0);
             body one at O { O, P: (0, -1.5) }
@@ -190,7 +187,7 @@ fn a_double_pendulum_has_four_equilibria() {
             gravity = (0, -9.81);
         }",
     );
-    assert_eq!(found.all.len(), 4, "{found:?}");
+    assert_eq!(list.all.len(), 4, "{list:?}");
     let mut expected = Vec::new();
     for upper in [0.0, PI] {
         for lower in [0.0, PI] {
@@ -200,8 +197,8 @@ fn a_double_pendulum_has_four_equilibria() {
     for [upper, lower] in expected {
         let is_it =
             |free: &[f64]| (free[0] - upper).abs() < 1e-12 && (free[1] - lower).abs() < 1e-12;
-        let own = found.all.iter().find(|it| is_it(&it.free));
-        let own = own.expect("the equilibrium");
+        let equilibrium = list.all.iter().find(|it| is_it(&it.free));
+        let equilibrium = equilibrium.expect("the equilibrium");
         let total = masses[0] + masses[1];
         let stiffness = [
             total * g * lengths[0] * f64::cos(upper),
@@ -217,7 +214,7 @@ fn a_double_pendulum_has_four_equilibria() {
         let root = (linear * linear - 4.0 * square * stiffness[0] * stiffness[1]).sqrt();
         let mut squares = [(linear - root), (linear + root)].map(|it| it / (2.0 * square));
         squares.sort_by(f64::total_cmp);
-        for (motion, square) in own.verdict.motions.iter().zip(squares) {
+        for (motion, square) in equilibrium.verdict.motions.iter().zip(squares) {
             match square < 0.0 {
                 true => near(motion.growth, (-square).sqrt(), 1e-11),
                 false => near(motion.frequency, square.sqrt() / TAU, 1e-11),
@@ -225,8 +222,8 @@ fn a_double_pendulum_has_four_equilibria() {
         }
         let is_stable = upper == 0.0 && lower == 0.0;
         let stability = if is_stable { Stable } else { Unstable };
-        assert_eq!(own.verdict.stability, stability);
-        assert!(own.verdict.is_conservative);
+        assert_eq!(equilibrium.verdict.stability, stability);
+        assert!(equilibrium.verdict.is_conservative);
     }
 }
 
@@ -274,10 +271,10 @@ fn a_truss_snaps_at_its_limit_loads() {
     }
     near(path.rows.last().expect("rows").value, 20.0, 1e-15);
     // Without a load, the middle position is the unstable one.
-    let found = equilibria(&text.replace("-10N", "0N"));
-    assert_eq!(stabilities(&found), [Stable, Unstable, Stable]);
-    near(found.all[0].free[0], -height, 1e-12);
-    near(found.all[2].free[0], height, 1e-12);
+    let list = equilibria(&text.replace("-10N", "0N"));
+    assert_eq!(stabilities(&list), [Stable, Unstable, Stable]);
+    near(list.all[0].free[0], -height, 1e-12);
+    near(list.all[2].free[0], height, 1e-12);
 }
 
 /// Lengths of a four-bar (m): ground, crank, coupler, rocker.
@@ -319,7 +316,7 @@ fn four_bar_slope(phi: f64, side: f64) -> f64 {
 
 #[test]
 fn a_linkage_rests_where_its_energy_is_stationary() {
-    let found = equilibria(
+    let list = equilibria(
         "mechanism fourbar {
             units mm;
             point A = (0, 0), D = (100mm, 0), F = (20mm, 90mm);
@@ -352,13 +349,13 @@ fn a_linkage_rests_where_its_energy_is_stationary() {
     }
     expected.sort_by(|a, b| a.0.total_cmp(&b.0));
     assert!(expected.len() >= 4, "{expected:?}");
-    assert_eq!(found.all.len(), expected.len(), "{expected:?}");
-    for (own, (phi, is_valley, side)) in found.all.iter().zip(expected) {
-        near(own.free[0], phi, 1e-9);
-        near(own.potential, four_bar_energy(phi, side), 1e-12);
+    assert_eq!(list.all.len(), expected.len(), "{expected:?}");
+    for (equilibrium, (phi, is_valley, side)) in list.all.iter().zip(expected) {
+        near(equilibrium.free[0], phi, 1e-9);
+        near(equilibrium.potential, four_bar_energy(phi, side), 1e-12);
         let stability = if is_valley { Stable } else { Unstable };
-        assert_eq!(own.verdict.stability, stability);
-        assert_eq!(own.is_connected, Some(side > 0.0));
+        assert_eq!(equilibrium.verdict.stability, stability);
+        assert_eq!(equilibrium.is_connected, Some(side > 0.0));
     }
 }
 
@@ -404,24 +401,24 @@ fn equilibria_meet_where_a_torque_is_the_largest_moment() {
         equilibria(&text)
     };
     let share = 1.0 - 1e-8;
-    let found = of(share);
+    let list = of(share);
     let angle = f64::asin(share);
-    assert_eq!(stabilities(&found), [Stable, Unstable]);
+    assert_eq!(stabilities(&list), [Stable, Unstable]);
     let reach = 1e-15 / angle.cos();
-    assert!((found.all[0].free[0] - angle).abs() <= reach);
-    assert!((found.all[1].free[0] - (PI - angle)).abs() <= reach);
-    let found = of(1.0);
-    assert_eq!(stabilities(&found), [Indifferent]);
-    assert!((found.all[0].free[0] - 0.5 * PI).abs() <= 1e-7);
-    let found = of(1.0 + 1e-8);
-    assert!(found.all.is_empty() && !found.is_everywhere);
+    assert!((list.all[0].free[0] - angle).abs() <= reach);
+    assert!((list.all[1].free[0] - (PI - angle)).abs() <= reach);
+    let list = of(1.0);
+    assert_eq!(stabilities(&list), [Indifferent]);
+    assert!((list.all[0].free[0] - 0.5 * PI).abs() <= 1e-7);
+    let list = of(1.0 + 1e-8);
+    assert!(list.all.is_empty() && !list.is_everywhere);
 }
 
 #[test]
 fn free_motion_without_forces_is_no_list() {
     let text = pendulum("2m").replace("gravity = (0, -9.81);", "");
-    let found = equilibria(&text);
-    assert!(found.is_everywhere && found.all.is_empty());
+    let list = equilibria(&text);
+    assert!(list.is_everywhere && list.all.is_empty());
     let falling = equilibria(
         "mechanism falling {
             body one at (0, 0) { S: (0, 0) }
@@ -483,8 +480,8 @@ fn drives_stand_still() {
     );
     let view = Interpreted::new(&derived).expect("the equations determine the motion");
     for t in [0.0, 0.4] {
-        let found = Equilibria::new(&derived, &view, t, STARTS, |_| ()).expect("equilibria");
-        let hanging = found.all.iter().find(|it| it.verdict.stability == Stable);
+        let list = Equilibria::new(&derived, &view, t, STARTS, |_| ()).expect("equilibria");
+        let hanging = list.all.iter().find(|it| it.verdict.stability == Stable);
         let hanging = hanging.expect("a hanging bob");
         near(hanging.free[0], -(30_f64.to_radians() + 2.0 * t), 1e-12);
         near(
@@ -499,7 +496,7 @@ fn drives_stand_still() {
 #[test]
 fn stiff_springs_hide_nothing() {
     for stiffness in [1e6, 1e9] {
-        let found = equilibria(&format!(
+        let list = equilibria(&format!(
             "mechanism stiff {{
                 point U = (0, 1);
                 body block at (0, 0) {{ O: (0, 0) }}
@@ -515,7 +512,7 @@ fn stiff_springs_hide_nothing() {
                 gravity = (0, -9.81);
             }}"
         ));
-        let hanging = found.nearest.map(|it| &found.all[it]).expect("one");
+        let hanging = list.nearest.map(|it| &list.all[it]).expect("one");
         assert_eq!(hanging.verdict.stability, Stable);
         let drop = hanging.free[0] + 5.0 * 9.81 / stiffness;
         assert!(drop.abs() <= 1e-15, "{drop}");

@@ -166,8 +166,8 @@ fn range(derived: &Derived, text: &str) -> Result<(Varying, String), Problem> {
     }
     let (place, dimension) = match range.varied.place {
         Place::Parameter(at) => {
-            let own = &mechanism.parameters[at];
-            (Varied::Parameter(at, own.symbol), own.dimension)
+            let parameter = &mechanism.parameters[at];
+            (Varied::Parameter(at, parameter.symbol), parameter.dimension)
         }
         Place::Input(at) => (Varied::Input(at), mechanism.inputs[at].dimension),
     };

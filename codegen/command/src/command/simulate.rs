@@ -119,6 +119,6 @@ pub(super) fn missing_statement(system: &System, instead: &str) -> String {
         false => "",
     };
     format!(
-        "write `free {name}: {driven} = START;` in place of `drive {driven} = …;`{massless}{instead}"
+        "write `free {name}: {driven} = START;` in place of `drive {driver} = …;`{massless}{instead}"
     )
 }

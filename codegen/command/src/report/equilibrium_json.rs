@@ -168,7 +168,7 @@ fn entry<'a>(
     let mechanism = &system.mechanism;
     let verdict = &equilibrium.verdict;
     let motions = verdict.motions.iter();
-    let own = measured(equilibrium, system);
+    let reported = measured(equilibrium, system);
     let measures = measures.iter().enumerate();
     let broken = equilibrium.broken.iter().map(|&limit| {
         let measurement = mechanism.limits[limit].measurement;
@@ -187,7 +187,7 @@ fn entry<'a>(
         potential_energy: equilibrium.potential,
         measures: measures
             .map(|(place, column)| {
-                let value = own.map(|it| column.unit.of_si(it[place]));
+                let value = reported.map(|it| column.unit.of_si(it[place]));
                 value.filter(|it| it.is_finite())
             })
             .collect(),

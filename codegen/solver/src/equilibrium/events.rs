@@ -6,6 +6,9 @@ use super::verdict::Verdict;
 /// Largest number of halvings of a step.
 const HALVINGS: usize = 60;
 
+/// Part of a step within which a fold and a change of stability are one event.
+const JOINT_PART: f64 = 1e-4;
+
 /// Kind of event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PathEventKind {
@@ -56,7 +59,7 @@ impl Follower {
             });
             let is_fold = |distance: f64| {
                 let mut folds = located.iter();
-                folds.any(|(at, _)| (at - distance).abs() <= 1e-4 * length)
+                folds.any(|(at, _)| (at - distance).abs() <= JOINT_PART * length)
             };
             if let Some((distance, at)) = change.filter(|(it, _)| !is_fold(*it)) {
                 let verdicts = [from.1.clone(), to.1.clone()];

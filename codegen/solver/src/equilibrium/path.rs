@@ -117,8 +117,8 @@ impl EquilibriumPath {
             if let Some((share, _)) = end {
                 match follower.at_share(&last, share) {
                     Some(point) => next = point,
-                    None if length > 1e-3 * STEP => {
-                        length *= 0.25;
+                    None if length > SHORTEST * STEP => {
+                        length *= 0.5;
                         continue;
                     }
                     None => {
@@ -127,15 +127,15 @@ impl EquilibriumPath {
                     }
                 }
             }
-            let own = follower.verdict(&next);
-            let events = follower.events((&last, &verdict), (&next, &own), length);
+            let judged = follower.verdict(&next);
+            let events = follower.events((&last, &verdict), (&next, &judged), length);
             for event in events {
                 path.record(equilibria, &mut follower, event);
             }
             path.rows
-                .push(row(equilibria, &follower, &next, own.clone()));
+                .push(row(equilibria, &follower, &next, judged.clone()));
             let is_closed = path.rows.len() > 8 && follower.distance(&start, &next) < 0.5 * length;
-            (last, verdict) = (next, own);
+            (last, verdict) = (next, judged);
             if let Some((_, end)) = end {
                 path.end = end;
                 break;

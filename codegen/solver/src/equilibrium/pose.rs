@@ -16,6 +16,9 @@ const MAX_STEP: f64 = 0.5;
 /// Largest number of steps to an equilibrium.
 const MAX_STEPS: usize = 200;
 
+/// Smallest, first and largest damping of a step, relative to the square of the stiffness.
+const DAMPING: [f64; 3] = [1e-16, 1e-3, 1e8];
+
 /// Scaled step at which an equilibrium counts as reached.
 const PRECISE: f64 = 1e-11;
 
@@ -72,7 +75,7 @@ impl StaticEquations {
     /// steps of Newton's method, and of Levenberg and Marquardt where these lead away. `None` if the forces have another minimum, or no pose is reached.
     pub fn settled(&self, from: PoseForces) -> Option<Settled> {
         let mut pose = from;
-        let mut damping = 1e-3;
+        let mut damping = DAMPING[1];
         for _ in 0..MAX_STEPS {
             let stiffness = pose.stiffness(self);
             let matrix = &stiffness.reduced;
@@ -116,11 +119,11 @@ impl StaticEquations {
                 match next.filter(|it| it.force.norm() < pose.force.norm()) {
                     Some(next) => {
                         pose = next;
-                        damping = (damping * 0.1).max(1e-16);
+                        damping = (damping * 0.1).max(DAMPING[0]);
                         break;
                     }
-                    None if damping > 1e8 => return None,
-                    None => damping = (damping * 8.0).max(1e-12),
+                    None if damping > DAMPING[2] => return None,
+                    None => damping *= 8.0,
                 }
             }
         }

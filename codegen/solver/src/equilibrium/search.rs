@@ -12,16 +12,16 @@ use crate::dense::Dense;
 use crate::interpreted::Interpreted;
 
 /// Scaled distance within which equilibria are one.
-const SAME: f64 = 1e-6;
+const EQUAL_DISTANCE: f64 = 1e-6;
 
-/// The same where the stiffness vanishes, so that forces locate equilibria less precisely.
-const SAME_INDIFFERENT: f64 = 1e-3;
+/// Distance within which indifferent equilibria are one, which forces locate less precisely.
+const INDIFFERENT_DISTANCE: f64 = 1e-3;
 
 /// Scaled distance at which a neighbor of an indifferent equilibrium is sought.
 const NEIGHBOR: f64 = 0.03;
 
 /// Relative difference of energies that are equal.
-const SAME_ENERGY: f64 = 1e-9;
+const ENERGY_DIFFERENCE: f64 = 1e-9;
 
 /// Reason that no equilibria are sought.
 #[derive(Clone, Debug)]
@@ -105,7 +105,7 @@ impl Equilibria {
         }
         found.sort_by(|one, other| {
             let orders = (0..one.free.len()).map(|place| {
-                let unit = SAME * equations.motion.free_scale(place);
+                let unit = EQUAL_DISTANCE * equations.motion.free_scale(place);
                 let rounded = |it: &Equilibrium| (it.free[place] / unit).round();
                 rounded(one).total_cmp(&rounded(other))
             });
@@ -189,7 +189,7 @@ impl Search<'_> {
                 let away = self
                     .equations
                     .difference(&settled.pose.unknowns, &pose.unknowns);
-                if away.norm() <= SAME_INDIFFERENT {
+                if away.norm() <= INDIFFERENT_DISTANCE {
                     self.add(settled, Some(is_connected));
                 }
             }
@@ -253,9 +253,9 @@ impl Search<'_> {
         let verdict = Verdict::of(self.equations, &pose, &stiffness);
         let is_indifferent = !settled.is_precise || verdict.vanishing > 0;
         let tolerance = if is_indifferent {
-            SAME_INDIFFERENT
+            INDIFFERENT_DISTANCE
         } else {
-            SAME
+            EQUAL_DISTANCE
         };
         let is_known = |it: &PoseForces| self.equations.is_same(it, &pose, tolerance);
         if self.refused.iter().any(is_known) || self.found.iter().any(|it| is_known(&it.pose)) {
@@ -266,7 +266,7 @@ impl Search<'_> {
         let unit = pose.magnitude.amax() + stiffness.magnitude.amax();
         let is_equal = |it: &Equilibrium| {
             let scale = unit + energy.abs().max(it.potential.abs());
-            it.is_of_family && (it.potential - energy).abs() <= SAME_ENERGY * scale
+            it.is_of_family && (it.potential - energy).abs() <= ENERGY_DIFFERENCE * scale
         };
         let relative = self.found.iter().position(is_equal);
         if let Some(place) = relative.filter(|_| is_of_family) {
@@ -281,12 +281,12 @@ impl Search<'_> {
             self.refused.push(pose);
             return;
         }
-        let found = self.equations.equilibrium(self.view, pose, verdict);
+        let equilibrium = self.equations.equilibrium(self.view, pose, verdict);
         self.found.push(Equilibrium {
             energy_unit: unit,
             is_of_family,
             is_connected,
-            ..found
+            ..equilibrium
         });
     }
 

@@ -176,8 +176,8 @@ fn is_zero(
             if side.load.dot(&along).abs() > rounding {
                 return false;
             }
-            let own = side.stiffness(equations).whole;
-            let beside = along.dot(&(own * &along)) / along.norm_squared();
+            let whole = side.stiffness(equations).whole;
+            let beside = along.dot(&(whole * &along)) / along.norm_squared();
             if (beside - value).abs() > 0.5 * value.abs() {
                 return true;
             }
