@@ -10,7 +10,7 @@ use super::simulate::missing_statement;
 use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Equilibrium as Arguments;
 use crate::progress::Progress;
-use crate::report::equilibrium_text::Followed;
+use crate::report::equilibrium_path::{self, Followed};
 use crate::report::{equilibrium_json, equilibrium_plot, equilibrium_text, picture};
 use crate::sweep::{Place, Range};
 use crate::terminal;
@@ -88,7 +88,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
         (true, _) => {
             equilibrium_json::write(&equilibria, followed.as_ref(), system, arguments.at, output)
         }
-        (false, Some(followed)) => equilibrium_text::write_path(followed, system, output),
+        (false, Some(followed)) => equilibrium_path::write(followed, system, output),
         (false, None) => Ok(()),
     })?;
     if let (Some(output), Some(followed)) = (picture, &followed) {

@@ -6,12 +6,13 @@
 //! | `t` | time at which drivers and inputs stand (s) |
 //! | `free`, `measures` | `{name, unit}` each, in the order of values |
 //! | `everywhere` | true if every pose is in equilibrium; `equilibria` is then empty |
-//! | `equilibria` | `{free, stability, conservative, motions, potential_energy, measures, family, connected, broken_limits}` each |
+//! | `equilibria` | `{free, stability, conservative, motions, potential_energy, measures, family, connected, design_modes, broken_limits}` each |
 //! | `stability` there | `stable`, `unstable` or `indifferent` |
 //! | `motions` there | `{frequency, growth}` each, in Hz and 1/s |
 //! | `potential_energy` there | of gravity and springs (J) |
 //! | `family` there | true if other equilibria are next to it without a gap |
-//! | `connected` there | true if it is reached from the design configuration; `null` if this is unknown |
+//! | `connected` there | true if a curve of poses connects it with the design configuration; `null` with several free coordinates |
+//! | `design_modes` there | true if the assembly modes of the design configuration lead to it from its free coordinates |
 //! | `broken_limits` there | names of the measures whose limits it breaks |
 //! | `nearest` | index of the stable equilibrium next to the design configuration, from 0; `null` without any |
 //! | `left_out` | number of equilibria with an input outside of its range |
@@ -30,7 +31,8 @@ use linkwright_solver::equilibrium::{
 };
 use serde::Serialize;
 
-use super::equilibrium_text::{Column, Followed, free_columns, measure_columns, measured};
+use super::equilibrium_path::Followed;
+use super::equilibrium_text::{Column, free_columns, measure_columns, measured};
 
 #[derive(Serialize)]
 struct Object<'a> {
@@ -70,6 +72,7 @@ struct Entry<'a> {
     measures: Vec<Option<f64>>,
     family: bool,
     connected: Option<bool>,
+    design_modes: bool,
     broken_limits: Vec<&'a str>,
 }
 
@@ -193,6 +196,7 @@ fn entry<'a>(
             .collect(),
         family: equilibrium.is_of_family,
         connected: equilibrium.is_connected,
+        design_modes: equilibrium.has_design_modes,
         broken_limits: broken.collect(),
     }
 }

@@ -4,7 +4,8 @@ use linkwright_codegen::stages::system::System;
 use linkwright_solver::equilibrium::{PathEventKind, Stability};
 use plotters::prelude::*;
 
-use super::equilibrium_text::{Followed, free_columns};
+use super::equilibrium_path::Followed;
+use super::equilibrium_text::free_columns;
 use super::picture::signed;
 use super::plot::{COLORS, Drawing, Refused, UNITS, drawn, extent, plane_mesh, range};
 

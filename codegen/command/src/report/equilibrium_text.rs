@@ -1,4 +1,4 @@
-//! Writes equilibria, and the path of one, as text.
+//! Writes equilibria as text.
 
 use std::io::{self, Write};
 
@@ -6,8 +6,7 @@ use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::System;
 use linkwright_codegen::stages::units::{OutputUnit, OutputUnits};
 use linkwright_solver::equilibrium::{
-    Coverage, CurveEnd, Equilibria, Equilibrium, EquilibriumPath, PathEnd, PathEvent,
-    PathEventKind, PathRow, SmallMotion, Stability,
+    Coverage, CurveEnd, Equilibria, Equilibrium, SmallMotion, Stability,
 };
 use linkwright_solver::number::{counted, time};
 
@@ -20,25 +19,8 @@ const RATE_DIGITS: usize = 6;
 /// Magnitude below which a value is zero, relative to that of its column.
 const ZERO: f64 = 1e-12;
 
-/// Number of rows of a path that are printed besides events.
-const PRINTED: usize = 20;
-
 /// Largest number of small motions of an equilibrium that are printed.
 const PRINTED_MOTIONS: usize = 4;
-
-/// Path of an equilibrium over a parameter or an input.
-pub struct Followed {
-    /// Name of the parameter.
-    pub name: String,
-    /// SI unit of its values.
-    pub unit: String,
-    /// Index of the equilibrium.
-    pub of: usize,
-    /// First and last value in SI units.
-    pub ends: [f64; 2],
-    /// Path.
-    pub path: EquilibriumPath,
-}
 
 /// Column of values.
 pub(super) struct Column {
@@ -47,11 +29,11 @@ pub(super) struct Column {
     /// Magnitude relative to which a value may be zero, in SI units: 1 rad, or a length.
     pub scale: f64,
     /// True for a free angle.
-    is_angle: bool,
+    pub is_angle: bool,
 }
 
 impl Column {
-    fn text(&self, si: f64) -> String {
+    pub fn text(&self, si: f64) -> String {
         let value = if si.abs() < ZERO * self.scale {
             0.0
         } else {
@@ -212,37 +194,52 @@ fn motions(motions: &[SmallMotion]) -> String {
 /// Writes what the table does not show.
 fn remarks(equilibria: &Equilibria, system: &System, output: &mut dyn Write) -> io::Result<()> {
     let mechanism = &system.mechanism;
+    let mut remarks: Vec<(String, Vec<String>)> = Vec::new();
+    let mut add = |place: usize, words: String| {
+        let number = (place + 1).to_string();
+        match remarks.iter_mut().find(|it| it.0 == words) {
+            Some((_, numbers)) => numbers.push(number),
+            None => remarks.push((words, vec![number])),
+        }
+    };
     for (place, equilibrium) in equilibria.all.iter().enumerate() {
-        let number = place + 1;
         for &limit in &equilibrium.broken {
             let limit = &mechanism.limits[limit];
             let name = &mechanism.measurements[limit.measurement].name;
             let text = limit.text(mechanism.units.of_messages());
-            writeln!(output, "{number} is beyond the limit of `{name}`, {text}")?;
+            add(place, format!("beyond the limit of `{name}`, {text}"));
         }
-        if !equilibrium.verdict.is_conservative {
-            writeln!(
-                output,
-                "{number}: its loads have no energy, so that a Hessian does not exist; small motions decide"
-            )?;
+        let verdict = &equilibrium.verdict;
+        let is_indifferent = verdict.stability == Stability::Indifferent;
+        let is_elsewhere = equilibrium.is_connected.is_none() && !equilibrium.has_design_modes;
+        let words = [
+            (
+                !verdict.is_conservative,
+                "loads without an energy, so that a Hessian does not exist; small motions decide",
+            ),
+            (
+                equilibrium.is_of_family,
+                "one of a family of equilibria of equal energy, next to one another without a gap",
+            ),
+            (
+                is_indifferent && !equilibrium.is_of_family,
+                "a stiffness that vanishes in a direction within its error, so that it does not decide",
+            ),
+            (
+                equilibrium.is_connected == Some(false),
+                "an assembly that the mechanism does not reach from its design configuration",
+            ),
+            (
+                is_elsewhere,
+                "another assembly mode than that of the design configuration",
+            ),
+        ];
+        for (_, words) in words.into_iter().filter(|it| it.0) {
+            add(place, words.to_string());
         }
-        if equilibrium.is_of_family {
-            writeln!(
-                output,
-                "{number} is one of a family of equilibria of equal energy, next to one another without a gap"
-            )?;
-        } else if equilibrium.verdict.stability == Stability::Indifferent {
-            writeln!(
-                output,
-                "{number}: the stiffness vanishes in a direction within its error, so that it does not decide"
-            )?;
-        }
-        if equilibrium.is_connected == Some(false) {
-            writeln!(
-                output,
-                "{number} is in another assembly, which the mechanism does not reach from its design configuration"
-            )?;
-        }
+    }
+    for (words, numbers) in remarks {
+        writeln!(output, "{}: {words}", numbers.join(", "))?;
     }
     Ok(())
 }
@@ -279,75 +276,4 @@ fn searched(coverage: &Coverage, system: &System, output: &mut dyn Write) -> io:
             Ok(())
         }
     }
-}
-
-/// Writes the path of an equilibrium: its events, and some of its points.
-///
-/// # Errors
-/// Errors of `output`.
-pub fn write_path(followed: &Followed, system: &System, output: &mut dyn Write) -> io::Result<()> {
-    let units = system.mechanism.units.of_messages();
-    let varied = Column {
-        name: followed.name.clone(),
-        unit: units.of(&followed.unit),
-        scale: (followed.ends[1] - followed.ends[0]).abs(),
-        is_angle: false,
-    };
-    let [first, last] = followed.ends.map(|it| varied.text(it));
-    let path = &followed.path;
-    writeln!(
-        output,
-        "\npath of equilibrium {} over {} from {first} to {last}, {}",
-        followed.of + 1,
-        followed.name,
-        counted(path.rows.len(), "point")
-    )?;
-    let free = free_columns(system);
-    let mut header = vec![followed.name.clone()];
-    header.extend(free.iter().map(|it| it.name.clone()));
-    header.extend(["stability", ""].map(String::from));
-    let mut rows = vec![header];
-    let mut add = |row: &PathRow, words: [String; 2]| {
-        let mut cells = vec![varied.text(row.value)];
-        let values = free.iter().zip(&row.equilibrium.free);
-        cells.extend(values.map(|(column, value)| column.text(*value)));
-        cells.extend(words);
-        rows.push(cells);
-    };
-    let count = path.rows.len();
-    let step = count.div_ceil(PRINTED).max(1);
-    for (place, row) in path.rows.iter().enumerate() {
-        for event in path.events.iter().filter(|it| it.place == place) {
-            add(&event.row, event_words(event));
-        }
-        if place % step == 0 || place + 1 == count {
-            let name = row.equilibrium.verdict.stability.name();
-            add(row, [name.to_string(), String::new()]);
-        }
-    }
-    aligned(&rows, output)?;
-    let end = match path.end {
-        PathEnd::Last => format!("ends at {} = {last}", followed.name),
-        PathEnd::First => format!("ends at {} = {first}, to which it returns", followed.name),
-        PathEnd::Closed => "returns to its first point".to_string(),
-        PathEnd::Lost => {
-            "is lost: no equilibrium continues, or the mechanism becomes singular".to_string()
-        }
-        PathEnd::Long => "is not followed further after so many points".to_string(),
-    };
-    writeln!(output, "the path {end}")
-}
-
-/// Returns the stability at an event, and its kind in words.
-fn event_words(event: &PathEvent) -> [String; 2] {
-    let [before, behind] = event.stability.map(Stability::name);
-    let stability = match before == behind {
-        true => before.to_string(),
-        false => format!("{before} -> {behind}"),
-    };
-    let kind = match event.kind {
-        PathEventKind::Fold => "fold",
-        PathEventKind::ChangeOfStability => "change of stability",
-    };
-    [stability, kind.to_string()]
 }

@@ -12,6 +12,7 @@ pub mod drawing;
 pub mod dxf;
 pub mod effort;
 pub mod equilibrium_json;
+pub mod equilibrium_path;
 pub mod equilibrium_plot;
 pub mod equilibrium_text;
 pub mod first_step;

@@ -4,6 +4,7 @@
 //! start from many poses. Derivatives are exact, so that the Hessian is. Dampers and inertia do not matter, and stops do not hold.
 
 mod curve;
+mod descent;
 mod events;
 mod follower;
 mod path;
@@ -43,8 +44,10 @@ pub struct Equilibrium {
     pub verdict: Verdict,
     /// True if other equilibria of equal energy are next to it without a gap.
     pub is_of_family: bool,
-    /// True if it is connected with the design configuration; `None` if this is unknown.
+    /// True if a curve connects it with the design configuration; `None` with several free coordinates.
     pub is_connected: Option<bool>,
+    /// True if the assembly modes of the design configuration lead to it from its free coordinates.
+    pub has_design_modes: bool,
     /// Limits that it breaks: indices into those of the mechanism.
     pub broken: Vec<usize>,
     pose: PoseForces,
@@ -76,6 +79,7 @@ impl StaticEquations {
             verdict,
             is_of_family: false,
             is_connected: None,
+            has_design_modes: false,
             broken: broken.map(|(place, _)| place).collect(),
             reported,
             pose,

@@ -11,10 +11,10 @@ const CORRECTIONS: usize = 24;
 const SMALL: f64 = 1e-7;
 
 /// Largest scaled length of one correction of an estimate, and turn of one step to an equilibrium.
-const MAX_STEP: f64 = 0.5;
+pub(super) const MAX_STEP: f64 = 0.5;
 
 /// Largest number of steps to an equilibrium.
-const MAX_STEPS: usize = 200;
+pub(super) const MAX_STEPS: usize = 200;
 
 /// Smallest, first and largest damping of a step, relative to the square of the stiffness.
 const DAMPING: [f64; 3] = [1e-16, 1e-3, 1e8];
@@ -64,7 +64,7 @@ impl StaticEquations {
     }
 
     /// Returns the norm of the turns of all angles in a step along the constraints.
-    fn turn(&self, pose: &PoseForces, along: &DVector<f64>) -> f64 {
+    pub fn turn(&self, pose: &PoseForces, along: &DVector<f64>) -> f64 {
         let step = &pose.basis * along;
         let angles = step.iter().enumerate();
         let turns = angles.filter(|(place, _)| self.is_angle(*place));

@@ -5,7 +5,7 @@ use linkwright_codegen::stages::system::Derived;
 use super::Equilibrium;
 use super::curve::{Curve, CurveEnd, is_outside};
 use super::pose::Settled;
-use super::starts::{Starts, assembled};
+use super::starts::{Starts, assembled, has_design_modes};
 use super::statics::{PoseForces, StaticEquations};
 use super::verdict::{Stability, Verdict};
 use crate::dense::Dense;
@@ -48,7 +48,8 @@ pub enum Coverage {
 pub struct Equilibria {
     /// Equilibria, by the values of the free coordinates.
     pub all: Vec<Equilibrium>,
-    /// Index of the stable equilibrium next to the design configuration; of the next one if none is stable. `None` without any.
+    /// Index of the stable equilibrium next to the design configuration, in its assembly if one is; of any if none is stable. `None` without
+    /// equilibria.
     pub nearest: Option<usize>,
     /// True if forces do no virtual work in any pose.
     pub is_everywhere: bool,
@@ -62,6 +63,7 @@ pub struct Equilibria {
 
 /// Search in progress.
 struct Search<'a> {
+    interpreted: &'a Interpreted,
     equations: &'a StaticEquations,
     view: &'a Dense,
     start: &'a PoseForces,
@@ -87,6 +89,7 @@ impl Equilibria {
         let start = assembled(interpreted, &equations, t)?;
         let view = Dense::moved_by_forces(derived);
         let mut search = Search {
+            interpreted,
             equations: &equations,
             view: &view,
             start: &start,
@@ -106,7 +109,7 @@ impl Equilibria {
         found.sort_by(|one, other| {
             let orders = (0..one.free.len()).map(|place| {
                 let unit = EQUAL_DISTANCE * equations.motion.free_scale(place);
-                let rounded = |it: &Equilibrium| (it.free[place] / unit).round();
+                let rounded = |it: &Equilibrium| (it.free[place] / unit).round() + 0.0;
                 rounded(one).total_cmp(&rounded(other))
             });
             orders
@@ -116,7 +119,8 @@ impl Equilibria {
         let distances = found.iter().enumerate().map(|(place, it)| {
             let away = equations.difference(&it.pose.unknowns, &start.unknowns);
             let is_stable = it.verdict.stability == Stability::Stable;
-            (!is_stable, away.norm(), place)
+            let is_reached = it.is_connected.unwrap_or(it.has_design_modes);
+            ((!is_stable, !is_reached), away.norm(), place)
         });
         let nearest = distances.min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
         Ok(Equilibria {
@@ -144,10 +148,10 @@ impl Search<'_> {
         if let Some(settled) = beyond.filter(|it| self.is_beyond(it)) {
             self.add(settled, Some(true));
         }
-        let others = Starts::about(self.equations, origin);
+        let others = Starts::about(self.equations, self.start);
         for index in 0..starts {
             see(index as usize);
-            let Some(pose) = others.pose(index) else {
+            let Some(pose) = others.scattered(index) else {
                 continue;
             };
             let is_outside = is_outside(self.equations, &pose.unknowns, origin);
@@ -198,21 +202,27 @@ impl Search<'_> {
 
     /// Seeks equilibria from many poses.
     fn over_starts(&mut self, starts: u32, see: &mut dyn FnMut(usize)) -> (Coverage, bool) {
-        let origin = &self.start.unknowns;
-        let others = Starts::about(self.equations, origin);
+        let mut others = Starts::about(self.equations, self.start);
         let (mut tried, mut settled_count) = (0, 0);
         let mut is_everywhere = true;
         for index in 0..=starts {
             see(index as usize);
-            let pose = match index {
-                0 => Some(self.start.clone()),
-                _ => others.pose(index - 1),
+            let pose = match (index, index % 2) {
+                (0, _) => Some(self.start.clone()),
+                (_, 1) => Some(others.walked(index / 2)),
+                _ => others.scattered(index / 2 - 1),
             };
             let Some(pose) = pose else { continue };
             tried += 1;
             is_everywhere &= self.is_quiet(&pose);
-            if let Some(settled) = self.equations.settled(pose) {
-                settled_count += 1;
+            // Where a damped motion from the design configuration ends, and where Newton's method does not help.
+            let newton = self.equations.settled(pose.clone());
+            let descent = match index > 0 && newton.is_some() {
+                true => None,
+                false => self.equations.descended(pose),
+            };
+            settled_count += u32::from(newton.is_some() || descent.is_some());
+            for settled in newton.into_iter().chain(descent) {
                 self.add(settled, None);
             }
         }
@@ -282,8 +292,11 @@ impl Search<'_> {
             return;
         }
         let equilibrium = self.equations.equilibrium(self.view, pose, verdict);
+        let has_design_modes =
+            has_design_modes(self.interpreted, self.equations, &equilibrium.pose);
         self.found.push(Equilibrium {
             energy_unit: unit,
+            has_design_modes,
             is_of_family,
             is_connected,
             ..equilibrium
