@@ -18,7 +18,7 @@ fn equilibria(text: &str) -> Equilibria {
 fn sought(text: &str) -> Result<Equilibria, Unbalanced> {
     let derived = description::written(text);
     let view = Interpreted::new(&derived).expect("the equations determine the motion");
-    Equilibria::new(&derived, &view, 0.0, STARTS, |_| ())
+    Equilibria::new(&derived, &view, 0.0, STARTS, |_, _| ())
 }
 
 /// Follows an equilibrium over the only parameter, which has the first value in the description.
@@ -27,7 +27,7 @@ fn followed(text: &str, of: Option<usize>, ends: [f64; 2]) -> EquilibriumPath {
     let view = Interpreted::new(&derived).expect("the equations determine the motion");
     let parameter = &view.system().mechanism.parameters[0];
     let place = Varied::Parameter(0, parameter.symbol);
-    let all = Equilibria::new(&derived, &view, 0.0, STARTS, |_| ()).expect("equilibria");
+    let all = Equilibria::new(&derived, &view, 0.0, STARTS, |_, _| ()).expect("equilibria");
     let of = of.or(all.nearest).expect("an equilibrium");
     EquilibriumPath::new(&all, of, place, ends, |_| ()).expect("a direction")
 }
@@ -167,6 +167,21 @@ fn stability_ends_at_the_pitchfork() {
     let last = path.rows.last().expect("rows");
     let first = &path.rows[0].equilibrium;
     near(last.equilibrium.free[0], -first.free[0], 1e-12);
+}
+
+/// A center of mass beside the rod leads the path to one side, however little: it does not jump to the path across.
+#[test]
+fn an_imperfect_pitchfork_is_no_crossing() {
+    for offset in [1e-2, 1e-6, 1e-9] {
+        let text = inverted("100Nm").replace("S: (0, 2)", &format!("S: ({offset:?}, 2)"));
+        let path = followed(&text, None, [100.0, 10.0]);
+        assert_eq!(path.end, PathEnd::Last);
+        assert!(path.events.is_empty(), "{offset}: {:?}", path.events);
+        let last = &path.rows.last().expect("rows").equilibrium;
+        assert_eq!(last.verdict.stability, Stable);
+        let moment = |phi: f64| 10.0 * phi - WEIGHT * (phi.sin() - 0.5 * offset * phi.cos());
+        near(last.free[0], zero(moment, [-3.1, -1.0]), 1e-12);
+    }
 }
 
 /// Two point masses on rods: ω² are the roots of |K − ω² M| in closed form.
@@ -314,27 +329,54 @@ fn four_bar_slope(phi: f64, side: f64) -> f64 {
     terms.sum::<f64>() / step
 }
 
-#[test]
-fn a_linkage_rests_where_its_energy_is_stationary() {
-    let list = equilibria(
-        "mechanism fourbar {
+fn four_bar(coupler: &str) -> String {
+    format!(
+        "mechanism fourbar {{
             units mm;
+            param coupler = {coupler};
             point A = (0, 0), D = (100mm, 0), F = (20mm, 90mm);
-            body crank   at (0, 0, 70deg)       { A: (0, 0), B: (30mm, 0) }
-            body coupler at (10mm, 28mm, 20deg) { B: (0, 0), C: (90mm, 0), G: (40mm, 20mm) }
-            body rocker  at (100mm, 0, 100deg)  { D: (0, 0), C: (70mm, 0) }
+            body crank at (0, 0, 70deg)       {{ A: (0, 0), B: (30mm, 0) }}
+            body rod at (10mm, 28mm, 20deg)   {{ B: (0, 0), C: (coupler, 0), G: (40mm, 20mm) }}
+            body rocker at (100mm, 0, 100deg) {{ D: (0, 0), C: (70mm, 0) }}
             revolute A(ground, crank);
-            revolute B(crank, coupler);
-            revolute C(coupler, rocker);
+            revolute B(crank, rod);
+            revolute C(rod, rocker);
             revolute D(ground, rocker);
             free turn: phi(crank) = 70deg;
             mass crank = 0.5kg at B;
-            mass coupler = 1kg at G inertia 300kg*mm^2;
+            mass rod = 1kg at G inertia 300kg*mm^2;
             mass rocker = 0.8kg at C;
             gravity = (0, -9.81);
-            spring (ground.F, coupler.G) = 0.5N/mm free 30mm;
-        }",
-    );
+            spring (ground.F, rod.G) = 0.5N/mm free 30mm;
+            measure lean = phi(rocker);
+        }}"
+    )
+}
+
+/// The search with the last length finds the end of the path.
+#[test]
+fn a_path_over_a_length_ends_in_an_equilibrium() {
+    let path = followed(&four_bar("90mm"), None, [0.09, 0.11]);
+    assert_eq!(path.end, PathEnd::Last);
+    let last = &path.rows.last().expect("rows").equilibrium;
+    let list = equilibria(&four_bar("110mm"));
+    let away = |turn: f64| (turn - last.free[0]).rem_euclid(TAU);
+    let same = list.all.iter().find(|it| {
+        let away = away(it.free[0]);
+        away.min(TAU - away) < 1e-12
+    });
+    let same = same.expect("the equilibrium");
+    let [one, other] = [same, last].map(|it| it.reported.as_ref().expect("a measure")[0]);
+    let turns = (one - other) / TAU;
+    assert!((turns - turns.round()).abs() < 1e-12, "{one} {other}");
+    near(same.potential, last.potential, 1e-12);
+    let [one, other] = [same, last].map(|it| it.verdict.motions[0].frequency);
+    near(one, other, 1e-10);
+}
+
+#[test]
+fn a_linkage_rests_where_its_energy_is_stationary() {
+    let list = equilibria(&four_bar("90mm"));
     let mut expected = Vec::new();
     for side in [1.0, -1.0] {
         let place = |step: i32| 70_f64.to_radians() - PI + TAU * f64::from(step) / 720.0;
@@ -480,7 +522,7 @@ fn drives_stand_still() {
     );
     let view = Interpreted::new(&derived).expect("the equations determine the motion");
     for t in [0.0, 0.4] {
-        let list = Equilibria::new(&derived, &view, t, STARTS, |_| ()).expect("equilibria");
+        let list = Equilibria::new(&derived, &view, t, STARTS, |_, _| ()).expect("equilibria");
         let hanging = list.all.iter().find(|it| it.verdict.stability == Stable);
         let hanging = hanging.expect("a hanging bob");
         near(hanging.free[0], -(30_f64.to_radians() + 2.0 * t), 1e-12);

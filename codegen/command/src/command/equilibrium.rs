@@ -61,9 +61,22 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
     let view = interpreted(&derived, &source)?;
     let system = view.system();
     let mut progress = Progress::of_starts(arguments.starts);
-    let equilibria = Equilibria::new(&derived, &view, arguments.at, arguments.starts, |count| {
-        progress.reached(count);
-    });
+    let mut noted = 0;
+    let equilibria = Equilibria::new(
+        &derived,
+        &view,
+        arguments.at,
+        arguments.starts,
+        |count, list| {
+            progress.reached(count);
+            // What an interrupted search has found stays on the terminal.
+            while let Some(equilibrium) = list.get(noted)
+                && progress.note(&equilibrium_text::line(equilibrium, system))
+            {
+                noted += 1;
+            }
+        },
+    );
     progress.finish();
     let equilibria = match equilibria {
         Ok(equilibria) => equilibria,
@@ -203,7 +216,7 @@ fn unbalanced(reason: &Unbalanced, system: &System, t: f64) -> Result<Outcome, P
             time(t)
         ),
         Unbalanced::Singular => {
-            "is singular in its design configuration, so that its directions of motion are undetermined\n  = help: begin in another pose".to_string()
+            "cannot be followed from its design configuration: its constraints lose rank there, or a load is undefined\n  = help: begin in another pose".to_string()
         }
     };
     say(&format!("error: `{title}` {words}"));

@@ -19,8 +19,8 @@
 //! | `curves` | for one free coordinate, the ends of each followed curve of poses: `closed`, `window` or `singular` |
 //! | `starts`, `settled` | for several, the number of starts, and of those that led to an equilibrium |
 //! | `path` | with `--path`: `{name, unit, of, rows, events, end}` |
-//! | `rows` there | `{value, free, stability}` each |
-//! | `events` there | `{kind, value, free, before, behind, place}` each; `kind` is `fold` or `change_of_stability`, and `place` the number of rows before it |
+//! | `rows` there | `{value, free, measures, stability}` each |
+//! | `events` there | `{kind, value, free, measures, before, behind, place}` each; `kind` is `fold` or `change_of_stability`, and `place` the number of rows before it |
 //! | `end` there | `last`, `first`, `closed`, `lost` or `long` |
 
 use std::io::{self, Write};
@@ -96,6 +96,7 @@ struct Path<'a> {
 struct Row {
     value: f64,
     free: Vec<f64>,
+    measures: Vec<Option<f64>>,
     stability: &'static str,
 }
 
@@ -104,6 +105,7 @@ struct Event {
     kind: &'static str,
     value: f64,
     free: Vec<f64>,
+    measures: Vec<Option<f64>>,
     before: &'static str,
     behind: &'static str,
     place: usize,
@@ -142,7 +144,7 @@ pub fn write(
         curves,
         starts: starts.map(|it| it[0]),
         settled: starts.map(|it| it[1]),
-        path: followed.map(|it| path(it, system, &free)),
+        path: followed.map(|it| path(it, system, [&free, &measures])),
     };
     serde_json::to_writer_pretty(&mut *output, &object)?;
     writeln!(output)
@@ -163,6 +165,20 @@ fn values(equilibrium: &Equilibrium, free: &[Column]) -> Vec<f64> {
     values.map(|(it, value)| it.unit.of_si(*value)).collect()
 }
 
+/// Returns the measures in their units; `None` for an undetermined one.
+fn measure_values(
+    equilibrium: &Equilibrium,
+    measures: &[Column],
+    system: &System,
+) -> Vec<Option<f64>> {
+    let reported = measured(equilibrium, system);
+    let values = measures.iter().enumerate().map(|(place, column)| {
+        let value = reported.map(|it| column.unit.of_si(it[place]));
+        value.filter(|it| it.is_finite())
+    });
+    values.collect()
+}
+
 fn entry<'a>(
     equilibrium: &Equilibrium,
     system: &'a System,
@@ -171,8 +187,6 @@ fn entry<'a>(
     let mechanism = &system.mechanism;
     let verdict = &equilibrium.verdict;
     let motions = verdict.motions.iter();
-    let reported = measured(equilibrium, system);
-    let measures = measures.iter().enumerate();
     let broken = equilibrium.broken.iter().map(|&limit| {
         let measurement = mechanism.limits[limit].measurement;
         mechanism.measurements[measurement].name.as_str()
@@ -188,12 +202,7 @@ fn entry<'a>(
             })
             .collect(),
         potential_energy: equilibrium.potential,
-        measures: measures
-            .map(|(place, column)| {
-                let value = reported.map(|it| column.unit.of_si(it[place]));
-                value.filter(|it| it.is_finite())
-            })
-            .collect(),
+        measures: measure_values(equilibrium, measures, system),
         family: equilibrium.is_of_family,
         connected: equilibrium.is_connected,
         design_modes: equilibrium.has_design_modes,
@@ -201,16 +210,22 @@ fn entry<'a>(
     }
 }
 
-fn path<'a>(followed: &'a Followed, system: &System, free: &[Column]) -> Path<'a> {
+fn path<'a>(followed: &'a Followed, system: &System, [free, measures]: [&[Column]; 2]) -> Path<'a> {
     let unit = system.mechanism.units.of_messages().of(&followed.unit);
     let row = |it: &PathRow| Row {
         value: unit.of_si(it.value),
         free: values(&it.equilibrium, free),
+        measures: measure_values(&it.equilibrium, measures, system),
         stability: it.equilibrium.verdict.stability.name(),
     };
     let events = followed.path.events.iter().map(|it| {
         let [before, behind] = it.stability.map(|it| it.name());
-        let Row { value, free, .. } = row(&it.row);
+        let Row {
+            value,
+            free,
+            measures,
+            ..
+        } = row(&it.row);
         Event {
             kind: match it.kind {
                 PathEventKind::Fold => "fold",
@@ -218,6 +233,7 @@ fn path<'a>(followed: &'a Followed, system: &System, free: &[Column]) -> Path<'a
             },
             value,
             free,
+            measures,
             before,
             behind,
             place: it.place,

@@ -9,7 +9,7 @@ use linkwright_solver::equilibrium::{
 use linkwright_solver::number::counted;
 
 use super::aligned::aligned;
-use super::equilibrium_text::{Column, free_columns};
+use super::equilibrium_text::{Column, free_columns, measure_cells, measure_columns};
 
 /// Number of rows of a path that are printed besides events.
 const PRINTED: usize = 20;
@@ -49,15 +49,17 @@ pub fn write(followed: &Followed, system: &System, output: &mut dyn Write) -> io
         followed.name,
         counted(path.rows.len(), "point")
     )?;
-    let free = free_columns(system);
+    let (free, measures) = (free_columns(system), measure_columns(system));
     let mut header = vec![followed.name.clone()];
-    header.extend(free.iter().map(|it| it.name.clone()));
+    let columns = free.iter().chain(&measures);
+    header.extend(columns.map(|it| it.name.clone()));
     header.extend(["stability", ""].map(String::from));
     let mut rows = vec![header];
     let mut add = |row: &PathRow, words: [String; 2]| {
         let mut cells = vec![varied.text(row.value)];
         let values = free.iter().zip(&row.equilibrium.free);
         cells.extend(values.map(|(column, value)| column.text(*value)));
+        cells.extend(measure_cells(&row.equilibrium, &measures, system));
         cells.extend(words);
         rows.push(cells);
     };

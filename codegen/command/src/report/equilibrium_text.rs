@@ -89,6 +89,32 @@ pub(super) fn measured<'a>(equilibrium: &'a Equilibrium, system: &System) -> Opt
     reported.get(reported.len() - count..)
 }
 
+/// Returns the measures of an equilibrium in words.
+pub(super) fn measure_cells(
+    equilibrium: &Equilibrium,
+    measures: &[Column],
+    system: &System,
+) -> Vec<String> {
+    let values = measured(equilibrium, system);
+    let cells = measures.iter().enumerate();
+    let cells = cells.map(|(place, column)| match values.map(|it| it[place]) {
+        Some(value) if value.is_finite() => column.text(value),
+        _ => "undetermined".to_string(),
+    });
+    cells.collect()
+}
+
+/// Returns a line on an equilibrium during a search.
+pub fn line(equilibrium: &Equilibrium, system: &System) -> String {
+    let columns = free_columns(system);
+    let values = columns.iter().zip(&equilibrium.free);
+    let values: Vec<String> = values
+        .map(|(column, value)| format!("{} = {}", column.name, column.text(*value)))
+        .collect();
+    let stability = equilibrium.verdict.stability.name();
+    format!("  {}: {stability}", values.join(", "))
+}
+
 /// Writes the equilibria, and what was searched with drivers and inputs at `t` (s).
 ///
 /// # Errors
@@ -154,16 +180,7 @@ fn table(equilibria: &Equilibria, system: &System, output: &mut dyn Write) -> io
         cells.push(equilibrium.verdict.stability.name().to_string());
         cells.push(motions(&equilibrium.verdict.motions));
         cells.push(energies.text(equilibrium.potential));
-        let values = measured(equilibrium, system);
-        let values =
-            measures
-                .iter()
-                .enumerate()
-                .map(|(place, column)| match values.map(|it| it[place]) {
-                    Some(value) if value.is_finite() => column.text(value),
-                    _ => "undetermined".to_string(),
-                });
-        cells.extend(values);
+        cells.extend(measure_cells(equilibrium, &measures, system));
         rows.push(cells);
     }
     aligned(&rows, output)

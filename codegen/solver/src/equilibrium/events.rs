@@ -6,7 +6,10 @@ use super::verdict::Verdict;
 /// Largest number of halvings of a step.
 const HALVINGS: usize = 60;
 
-/// Part of a step within which a fold and a change of stability are one event.
+/// Part of a step to which an event is located at least.
+const RESOLUTION: f64 = 1e-7;
+
+/// Part of a step within which a fold and a change of stability are one event, and both sides of an event meet.
 const JOINT_PART: f64 = 1e-4;
 
 /// Kind of event.
@@ -33,22 +36,21 @@ impl Follower {
         Verdict::of(&self.equations, &point.pose, &stiffness)
     }
 
-    /// Returns the events in a step from a point of a verdict to the next one, in their order.
+    /// Returns the events in a step from a point of a verdict to the next one, in their order; `None` if the step has left the path.
     pub fn events(
         &mut self,
         from: (&PathPoint, &Verdict),
         to: (&PathPoint, &Verdict),
         length: f64,
-    ) -> Vec<Located> {
+    ) -> Option<Vec<Located>> {
         let mut located: Vec<(f64, Located)> = Vec::new();
         if rate(from.0) * rate(to.0) < 0.0 {
             let before = rate(from.0);
             let fold = self.located(from.0, length, |_, point| rate(point) * before < 0.0);
-            if let Some((distance, at)) = fold {
-                let verdicts = [from.1.clone(), to.1.clone()];
-                let kind = PathEventKind::Fold;
-                located.push((distance, Located { kind, at, verdicts }));
-            }
+            let (distance, at) = fold?;
+            let verdicts = [from.1.clone(), to.1.clone()];
+            let kind = PathEventKind::Fold;
+            located.push((distance, Located { kind, at, verdicts }));
         }
         // A fold changes one sign of its own.
         let changed = from.1.growing.abs_diff(to.1.growing);
@@ -61,17 +63,18 @@ impl Follower {
                 let mut folds = located.iter();
                 folds.any(|(at, _)| (at - distance).abs() <= JOINT_PART * length)
             };
-            if let Some((distance, at)) = change.filter(|(it, _)| !is_fold(*it)) {
+            if let Some((distance, at)) = Some(change?).filter(|(it, _)| !is_fold(*it)) {
                 let verdicts = [from.1.clone(), to.1.clone()];
                 let kind = PathEventKind::ChangeOfStability;
                 located.push((distance, Located { kind, at, verdicts }));
             }
         }
         located.sort_by(|one, other| one.0.total_cmp(&other.0));
-        located.into_iter().map(|(_, it)| it).collect()
+        Some(located.into_iter().map(|(_, it)| it).collect())
     }
 
-    /// Halves a step in which a property changes; returns the distance of the change with the point before it.
+    /// Halves a step in which a property changes; returns the distance of the change with the point before it. `None` if the points on
+    /// both sides do not meet.
     fn located(
         &mut self,
         from: &PathPoint,
@@ -79,7 +82,7 @@ impl Follower {
         is_behind: impl Fn(&mut Follower, &PathPoint) -> bool,
     ) -> Option<(f64, PathPoint)> {
         let (mut low, mut high) = (0.0, length);
-        let mut before = from.clone();
+        let (mut before, mut behind) = (from.clone(), None);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
             if middle <= low || middle >= high {
@@ -91,12 +94,15 @@ impl Follower {
             };
             if is_behind(self, &point) {
                 high = middle;
+                behind = Some(point);
             } else {
                 low = middle;
                 before = point;
             }
         }
-        Some((high, before))
+        let gap = behind.map_or(0.0, |it| self.distance(&before, &it));
+        let is_located = high - low <= RESOLUTION * length;
+        (is_located && gap <= JOINT_PART * length).then_some((high, before))
     }
 }
 

@@ -16,6 +16,9 @@ const SHORTEST: f64 = 1e-6;
 /// Smallest cosine of the turn of a path in a step.
 const STRAIGHT: f64 = 0.98;
 
+/// Largest distance from the last point after a step back, as a part of the step.
+const RETURN: f64 = 0.1;
+
 /// Largest number of steps.
 const MAX_STEPS: usize = 20_000;
 
@@ -85,6 +88,9 @@ impl EquilibriumPath {
         mut see: impl FnMut(usize),
     ) -> Result<EquilibriumPath, Unfollowed> {
         let first = equilibria.all.get(of).ok_or(Unfollowed)?;
+        if first.verdict.vanishing > 0 {
+            return Err(Unfollowed);
+        }
         let equations = equilibria.equations.clone();
         let mut follower = Follower::new(equations, place, ends, &first.pose);
         let start = follower.first(first.pose.clone()).ok_or(Unfollowed)?;
@@ -101,10 +107,13 @@ impl EquilibriumPath {
             see(path.rows.len());
             let next = follower.next(&last, length);
             let next = next.filter(|it| follower.cosine(&last, it) >= STRAIGHT);
+            // A step that does not lead back has jumped to another path.
+            let next = next.filter(|next| {
+                let back = follower.next(next, -length);
+                back.is_some_and(|it| follower.distance(&it, &last) <= RETURN * length)
+            });
             let Some(mut next) = next else {
-                length *= 0.5;
-                if length < SHORTEST * STEP {
-                    path.end = PathEnd::Lost;
+                if path.is_lost(&mut length) {
                     break;
                 }
                 continue;
@@ -117,18 +126,17 @@ impl EquilibriumPath {
             if let Some((share, _)) = end {
                 match follower.at_share(&last, share) {
                     Some(point) => next = point,
-                    None if length > SHORTEST * STEP => {
-                        length *= 0.5;
-                        continue;
-                    }
-                    None => {
-                        path.end = PathEnd::Lost;
-                        break;
-                    }
+                    None if path.is_lost(&mut length) => break,
+                    None => continue,
                 }
             }
             let judged = follower.verdict(&next);
-            let events = follower.events((&last, &verdict), (&next, &judged), length);
+            let Some(events) = follower.events((&last, &verdict), (&next, &judged), length) else {
+                if path.is_lost(&mut length) {
+                    break;
+                }
+                continue;
+            };
             for event in events {
                 path.record(equilibria, &mut follower, event);
             }
@@ -147,6 +155,16 @@ impl EquilibriumPath {
             length = (1.5 * length).min(STEP);
         }
         Ok(path)
+    }
+
+    /// Halves the length of a step; returns true, and ends the path, if it becomes too short.
+    fn is_lost(&mut self, length: &mut f64) -> bool {
+        *length *= 0.5;
+        let is_lost = *length < SHORTEST * STEP;
+        if is_lost {
+            self.end = PathEnd::Lost;
+        }
+        is_lost
     }
 
     fn record(&mut self, equilibria: &Equilibria, follower: &mut Follower, event: Located) {

@@ -30,7 +30,7 @@ pub enum Unbalanced {
     NothingFree,
     /// The mechanism cannot be assembled at the time; in words.
     NotAssembled(String),
-    /// The constraints have lost rank in the design configuration, so that directions of motion are undetermined.
+    /// The constraints have lost rank in the design configuration, or a load is undefined there.
     Singular,
 }
 
@@ -61,6 +61,9 @@ pub struct Equilibria {
     pub(super) view: Dense,
 }
 
+/// Receiver of the number of starts so far, and of the equilibria.
+type Progress<'a> = dyn FnMut(usize, &[Equilibrium]) + 'a;
+
 /// Search in progress.
 struct Search<'a> {
     interpreted: &'a Interpreted,
@@ -73,7 +76,7 @@ struct Search<'a> {
 
 impl Equilibria {
     /// Searches from the assembly in the design modes at `t` (s), and from `starts` other poses. `see` receives the number of starts so
-    /// far.
+    /// far, and the equilibria.
     ///
     /// # Errors
     /// The reason that no equilibria can be sought.
@@ -82,7 +85,7 @@ impl Equilibria {
         interpreted: &Interpreted,
         t: f64,
         starts: u32,
-        mut see: impl FnMut(usize),
+        mut see: impl FnMut(usize, &[Equilibrium]),
     ) -> Result<Equilibria, Unbalanced> {
         let equations = StaticEquations::new(&derived.pool, &derived.system, t);
         let equations = equations.ok_or(Unbalanced::NothingFree)?;
@@ -137,20 +140,20 @@ impl Equilibria {
 
 impl Search<'_> {
     /// Follows the curves of poses of one degree of freedom.
-    fn along_curves(&mut self, starts: u32, see: &mut dyn FnMut(usize)) -> (Coverage, bool) {
+    fn along_curves(&mut self, starts: u32, see: &mut Progress<'_>) -> (Coverage, bool) {
         let origin = &self.start.unknowns;
         let mut curves: Vec<Curve> = Vec::new();
-        let first = Curve::through(self.equations, self.start, origin, &mut || see(0));
+        let first = Curve::through(self.equations, self.start, origin, &mut || see(0, &[]));
         self.settle(&first, true);
         curves.push(first);
         // An equilibrium may be farther away than the curve is followed.
         let beyond = self.equations.settled(self.start.clone());
         if let Some(settled) = beyond.filter(|it| self.is_beyond(it)) {
-            self.add(settled, Some(true));
+            self.add(settled, None);
         }
         let others = Starts::about(self.equations, self.start);
         for index in 0..starts {
-            see(index as usize);
+            see(index as usize, &self.found);
             let Some(pose) = others.scattered(index) else {
                 continue;
             };
@@ -159,7 +162,7 @@ impl Search<'_> {
                 continue;
             }
             let curve = Curve::through(self.equations, &pose, origin, &mut || {
-                see(index as usize);
+                see(index as usize, &[]);
             });
             self.settle(&curve, false);
             curves.push(curve);
@@ -188,6 +191,10 @@ impl Search<'_> {
             let Some(pose) = self.equations.closed(unknowns) else {
                 continue;
             };
+            let is_open = curve.ends != [CurveEnd::Closed; 2];
+            if is_open && is_outside(self.equations, &pose.unknowns, &self.start.unknowns) {
+                continue;
+            }
             // A force that jumps past zero has a bracket without a zero.
             if let Some(settled) = self.equations.settled(pose.clone()) {
                 let away = self
@@ -201,12 +208,12 @@ impl Search<'_> {
     }
 
     /// Seeks equilibria from many poses.
-    fn over_starts(&mut self, starts: u32, see: &mut dyn FnMut(usize)) -> (Coverage, bool) {
+    fn over_starts(&mut self, starts: u32, see: &mut Progress<'_>) -> (Coverage, bool) {
         let mut others = Starts::about(self.equations, self.start);
         let (mut tried, mut settled_count) = (0, 0);
         let mut is_everywhere = true;
         for index in 0..=starts {
-            see(index as usize);
+            see(index as usize, &self.found);
             let pose = match (index, index % 2) {
                 (0, _) => Some(self.start.clone()),
                 (_, 1) => Some(others.walked(index / 2)),
