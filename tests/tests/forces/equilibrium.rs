@@ -563,6 +563,53 @@ fn stiff_springs_hide_nothing() {
     }
 }
 
+/// Where the ends of a spring meet, its force jumps: that is not an equilibrium, although the force passes zero.
+#[test]
+fn a_force_that_jumps_past_zero_is_left_out() {
+    let list = equilibria(
+        "mechanism jumping {
+            point O = (0, 0);
+            body block at (0, -0.5) { P: (0, 0) }
+            absolute_x(block) = 0;
+            absolute_angle(block) = 0;
+            free height: y(block) = -0.5;
+            mass block = 3kg;
+            gravity = (0, -9.81);
+            spring (ground.O, block.P) = 100N/m free 1;
+        }",
+    );
+    assert_eq!(stabilities(&list), [Stable, Stable]);
+    let sag = 3.0 * 9.81 / 100.0;
+    near(list.all[0].free[0], -1.0 - sag, 1e-13);
+    near(list.all[1].free[0], 1.0 - sag, 1e-13);
+}
+
+/// Three cranks carry the coupler of a parallelogram: assemblies in which the redundant one is apart do not count.
+#[test]
+fn redundant_joints_hold() {
+    let list = equilibria(
+        "mechanism cranks {
+            point A = (0, 0), D = (2, 0), G = (1, 0);
+            body crank at (0, 0, 40deg)   { A: (0, 0), B: (1, 0) }
+            body coupler at (0.766, 0.643) { B: (0, 0), H: (1, 0), C: (2, 0) }
+            body rocker at (2, 0, 40deg)  { D: (0, 0), C: (1, 0) }
+            body middle at (1, 0, 40deg)  { G: (0, 0), H: (1, 0) }
+            revolute A(ground, crank);
+            revolute B(crank, coupler);
+            revolute C(coupler, rocker);
+            revolute D(ground, rocker);
+            revolute G(ground, middle);
+            redundant revolute H(middle, coupler);
+            free turn: phi(crank) = 40deg;
+            mass coupler = 1kg at C;
+            gravity = (0, -9.81);
+        }",
+    );
+    assert_eq!(stabilities(&list), [Stable, Unstable]);
+    near(list.all[0].free[0], -0.5 * PI, 1e-13);
+    near(list.all[1].free[0], 0.5 * PI, 1e-13);
+}
+
 #[test]
 fn nothing_is_sought_without_free_coordinates() {
     let driven = pendulum("2m").replace(

@@ -22,6 +22,9 @@ const DAMPING: [f64; 3] = [1e-16, 1e-3, 1e8];
 /// Scaled step at which an equilibrium counts as reached.
 const PRECISE: f64 = 1e-11;
 
+/// Scaled distance at which the stiffness beside a pose is compared.
+const BESIDE: f64 = 1e-8;
+
 /// Pose in which forces nearly vanish.
 #[derive(Clone, Debug)]
 pub(super) struct Settled {
@@ -61,6 +64,20 @@ impl StaticEquations {
         let pose = self.closed(estimate.clone())?;
         let correction = self.difference(&pose.unknowns, &estimate).norm();
         (correction <= step.norm().max(SMALL)).then_some(pose)
+    }
+
+    /// True if loads are smooth in a pose: a spring whose ends meet has a stiffness that falls at once beside it.
+    pub fn is_smooth(&self, pose: &PoseForces) -> bool {
+        let stiffness = pose.stiffness(self);
+        let largest = stiffness.magnitude.amax();
+        (0..self.freedom()).all(|place| {
+            [BESIDE, -BESIDE].iter().all(|distance| {
+                let mut along = DVector::zeros(self.freedom());
+                along[place] = *distance;
+                let beside = self.moved(pose, &along);
+                beside.is_some_and(|it| it.stiffness(self).magnitude.amax() >= 0.5 * largest)
+            })
+        })
     }
 
     /// Returns the norm of the turns of all angles in a step along the constraints.

@@ -157,7 +157,8 @@ impl Search<'_> {
             let Some(pose) = others.scattered(index) else {
                 continue;
             };
-            let is_outside = is_outside(self.equations, &pose.unknowns, origin);
+            let is_outside = is_outside(self.equations, &pose.unknowns, origin)
+                || !self.equations.holds_redundant(&pose);
             if is_outside || curves.iter().any(|it| it.passes(self.equations, &pose)) {
                 continue;
             }
@@ -219,6 +220,7 @@ impl Search<'_> {
                 (_, 1) => Some(others.walked(index / 2)),
                 _ => others.scattered(index / 2 - 1),
             };
+            let pose = pose.filter(|it| self.equations.holds_redundant(it));
             let Some(pose) = pose else { continue };
             tried += 1;
             is_everywhere &= self.is_quiet(&pose);
@@ -275,6 +277,9 @@ impl Search<'_> {
             EQUAL_DISTANCE
         };
         let is_known = |it: &PoseForces| self.equations.is_same(it, &pose, tolerance);
+        if !self.equations.holds_redundant(&pose) || !self.equations.is_smooth(&pose) {
+            return;
+        }
         if self.refused.iter().any(is_known) || self.found.iter().any(|it| is_known(&it.pose)) {
             return;
         }

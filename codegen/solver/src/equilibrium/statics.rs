@@ -16,6 +16,9 @@ use crate::simulation::{MotionEquations, Varied};
 /// Rounding of sums, as a share of the sum of their magnitudes.
 pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
+/// Scaled residual up to which a redundant joint is satisfied.
+const MISFIT: f64 = 1e-6;
+
 /// Equations of a mechanism at rest.
 #[derive(Clone, Debug)]
 pub(super) struct StaticEquations {
@@ -31,6 +34,9 @@ pub(super) struct StaticEquations {
     /// Summands of second derivatives of constraints by unknowns.
     curvatures: Reader,
     curvature_places: Vec<(usize, usize, usize)>,
+    /// Residuals of redundant joints, and their scales.
+    monitored: Reader,
+    monitored_scales: Vec<f64>,
 }
 
 /// Constraints and loads in a pose.
@@ -118,6 +124,8 @@ impl StaticEquations {
                 }
             }
         }
+        let monitored: Vec<ExprId> = system.monitored.iter().map(|it| it.residual).collect();
+        let scales = system.monitored.iter().map(|it| it.quantity);
         let reader = |roots: &[ExprId]| Reader::new(&pool.graph, motion.layout(), roots);
         Some(StaticEquations {
             summands: reader(&summands),
@@ -126,6 +134,8 @@ impl StaticEquations {
             slope_places,
             curvatures: reader(&curvatures),
             curvature_places,
+            monitored: reader(&monitored),
+            monitored_scales: scales.map(|it| system.scale(it, &pool)).collect(),
             motion,
             t,
         })
@@ -229,6 +239,13 @@ impl StaticEquations {
             .chain(&forces.mass)
             .all(|it| it.is_finite())
             .then_some(forces)
+    }
+
+    /// True if a pose satisfies redundant joints, which the equations leave out.
+    pub fn holds_redundant(&self, pose: &PoseForces) -> bool {
+        let values = self.monitored.values(&pose.instant);
+        let mut pairs = values.iter().zip(&self.monitored_scales);
+        pairs.all(|(value, scale)| value.abs() <= MISFIT * scale)
     }
 
     /// Returns the stiffness in a pose with these multipliers, along a basis.
