@@ -563,7 +563,7 @@ fn stiff_springs_hide_nothing() {
     }
 }
 
-/// Where the ends of a spring meet, its force jumps: that is not an equilibrium, although the force passes zero.
+/// The force of a spring jumps past zero as its ends meet: that is not an equilibrium.
 #[test]
 fn a_force_that_jumps_past_zero_is_left_out() {
     let list = equilibria(

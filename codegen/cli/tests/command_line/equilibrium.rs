@@ -152,6 +152,9 @@ fn a_mechanism_that_cannot_rest_is_reported() {
     let (_, free_ran) = ran("weightless", &falling, "");
     let text = free_ran.exits_with(0).stdout;
     assert!(text.contains("every pose is in equilibrium"), "{text}");
+    let (_, path_ran) = ran("weightless_path", &falling, "--path load=0N..1N");
+    let text = path_ran.exits_with(1).stderr;
+    assert!(text.contains("nothing to follow over `load`"), "{text}");
     let list = object("weightless_json", &falling, "");
     assert_eq!(list["everywhere"], true);
     assert!(list["equilibria"].as_array().expect("a list").is_empty());

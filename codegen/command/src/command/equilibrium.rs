@@ -95,7 +95,14 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
         Some(varying) if !equilibria.all.is_empty() => {
             Some(follow(arguments, &equilibria, varying)?)
         }
-        _ => None,
+        Some(varying) => {
+            say(&format!(
+                "error: the list has nothing to follow over `{}`",
+                varying.name
+            ));
+            None
+        }
+        None => None,
     };
     print(|output| match (arguments.json, &followed) {
         (true, _) => {
@@ -113,9 +120,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
             print(|output| writeln!(output, "wrote {}", path.display()))?;
         }
     }
-    let is_lost = followed
-        .as_ref()
-        .is_some_and(|it| matches!(it.path.end, PathEnd::Lost | PathEnd::Long));
+    let is_lost = match &followed {
+        Some(followed) => matches!(followed.path.end, PathEnd::Lost | PathEnd::Long),
+        None => varying.is_some(),
+    };
     let is_any = equilibria.is_everywhere || !equilibria.all.is_empty();
     Ok(match is_any && !is_lost {
         true => Outcome::Done,

@@ -144,7 +144,7 @@ impl Search<'_> {
         let origin = &self.start.unknowns;
         let mut curves: Vec<Curve> = Vec::new();
         let first = Curve::through(self.equations, self.start, origin, &mut || see(0, &[]));
-        self.settle(&first, true);
+        self.settle(&first, self.start, true);
         curves.push(first);
         // An equilibrium may be farther away than the curve is followed.
         let beyond = self.equations.settled(self.start.clone());
@@ -165,7 +165,7 @@ impl Search<'_> {
             let curve = Curve::through(self.equations, &pose, origin, &mut || {
                 see(index as usize, &[]);
             });
-            self.settle(&curve, false);
+            self.settle(&curve, &pose, false);
             curves.push(curve);
         }
         let is_everywhere = curves.iter().all(Curve::is_quiet);
@@ -182,12 +182,14 @@ impl Search<'_> {
         is_outside(self.equations, &unknowns, &self.start.unknowns)
     }
 
-    /// Adds the equilibria on a curve.
-    fn settle(&mut self, curve: &Curve, is_connected: bool) {
-        if curve.is_quiet() {
-            return;
-        }
-        for unknowns in curve.zeros(self.equations) {
+    /// Adds the equilibria on a curve through a pose.
+    fn settle(&mut self, curve: &Curve, start: &PoseForces, is_connected: bool) {
+        // One pose stands for a curve without forces.
+        let zeros = match curve.is_quiet() {
+            true => vec![start.unknowns.clone()],
+            false => curve.zeros(self.equations),
+        };
+        for unknowns in zeros {
             let unknowns = curve.unwound(unknowns, &self.start.unknowns);
             let Some(pose) = self.equations.closed(unknowns) else {
                 continue;
