@@ -199,13 +199,16 @@ impl Search<'_> {
                 continue;
             }
             // A force that jumps past zero has a bracket without a zero.
-            if let Some(settled) = self.equations.settled(pose.clone()) {
-                let away = self
-                    .equations
-                    .difference(&settled.pose.unknowns, &pose.unknowns);
-                if away.norm() <= INDIFFERENT_DISTANCE {
-                    self.add(settled, Some(is_connected));
-                }
+            let settled = self.equations.settled(pose.clone()).filter(|it| {
+                let away = self.equations.difference(&it.pose.unknowns, &pose.unknowns);
+                away.norm() <= INDIFFERENT_DISTANCE
+            });
+            let bracketed = self.is_quiet(&pose).then_some(Settled {
+                pose,
+                is_precise: false,
+            });
+            if let Some(settled) = settled.or(bracketed) {
+                self.add(settled, Some(is_connected));
             }
         }
     }
