@@ -36,8 +36,15 @@ const SHARE: &str = "searching {wide_bar} {percent}%, {eta} left";
 
 /// Parts of the whole work.
 const SHARES: u64 = 1000;
+/// Template of a bar that counts starts of a search.
+const STARTS: &str = "searching {wide_bar} {pos}/{len} starts, {eta} left";
 
 impl Progress {
+    /// Creates a bar for `total` starts of a search, and starts the clock.
+    pub fn of_starts(total: u32) -> Progress {
+        Progress::of(u64::from(total), STARTS)
+    }
+
     /// Creates a bar for `total` times, and starts the clock.
     pub fn new(total: usize) -> Progress {
         Progress::of(total as u64, FRAMES)
@@ -84,6 +91,14 @@ impl Progress {
             }
             None => {}
         }
+    }
+
+    /// Prints a line above the bar; nothing while no bar is shown. Returns true if a bar is there.
+    pub fn note(&self, line: &str) -> bool {
+        if let Some(bar) = &self.bar {
+            bar.println(line);
+        }
+        self.bar.is_some()
     }
 
     /// Removes the bar, and returns the total time.

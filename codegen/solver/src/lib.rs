@@ -83,6 +83,8 @@ pub mod dormand_prince;
 #[doc(hidden)]
 pub mod drawn;
 #[doc(hidden)]
+pub mod equilibrium;
+#[doc(hidden)]
 pub mod every_pose;
 #[doc(hidden)]
 pub mod first_step;

@@ -1,7 +1,7 @@
 //! Holds the values that a caller supplies: pose, parameters, inputs and assembly modes, in the order of the description.
 
 use linkwright::{Branch, Signal, Values};
-use linkwright_codegen::stages::expr::Tape;
+use linkwright_codegen::stages::expr::{SymbolId, Tape};
 use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 
@@ -139,6 +139,19 @@ impl InputLaws {
     pub(crate) fn on_line(mut self, input: usize, line: [f64; 2]) -> InputLaws {
         self.lines.push((input, line));
         self
+    }
+
+    /// Sets the value of a symbol in all laws.
+    pub(crate) fn set_symbol(&mut self, symbol: SymbolId, value: f64) {
+        if let Some(place) = self.symbols.get_mut(symbol.index()) {
+            *place = value;
+        }
+    }
+
+    /// Holds an input at a value.
+    pub(crate) fn hold(&mut self, input: usize, value: f64) {
+        self.lines.retain(|(place, _)| *place != input);
+        self.lines.push((input, [value, 0.0]));
     }
 
     /// Returns the inputs at time `t` (s).

@@ -1,6 +1,7 @@
 //! Driving forces, reactions, simulated motions and transmissions.
 
 mod coordinate_changes;
+mod equilibrium;
 mod forces;
 mod forces_by_hand;
 mod forces_generated;

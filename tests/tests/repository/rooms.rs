@@ -99,6 +99,7 @@ const SOLVER: (&str, &[&str]) = (
         "trajectory",
         "moved",
         "simulation",
+        "equilibrium",
         "warnings",
         "check",
         "travel",

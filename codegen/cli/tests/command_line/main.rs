@@ -16,6 +16,7 @@ mod derivatives;
 mod draw;
 mod draw_loads;
 mod draw_workshop;
+mod equilibrium;
 mod file_owners;
 mod files;
 #[cfg(unix)]

@@ -1,6 +1,7 @@
 //! Parses the command line into typed arguments. Numbers are finite and steps positive afterwards; files are not opened.
 
 mod described;
+mod equilibrium;
 mod measured;
 mod reported;
 mod setting;
@@ -16,6 +17,7 @@ mod values;
 mod view;
 
 pub use described::Described;
+pub use equilibrium::Equilibrium;
 pub use measured::{Calibrate, Compare, Mark, Separator, Table};
 pub use reported::{Reported, TurnUnit};
 pub use setting::Setting;
@@ -63,6 +65,7 @@ Examples:
   linkwright plan mechanisms/excavator.mech
   linkwright check mechanisms/two_body.mech
   linkwright travel mechanisms/two_body.mech --drive 'phi(1)'
+  linkwright equilibrium lamp.mech --path load=0N..20N
   linkwright compare mechanisms/arm.mech measured.csv
   linkwright synthesize lift.mech path.csv --param L2,L3=20mm..200mm
   linkwright generate mechanisms/two_body.mech -o two_body.rs
@@ -100,6 +103,8 @@ pub enum Command {
     Check(Check),
     /// Find how far a drive can go each way, and what ends its travel
     Travel(Travel),
+    /// Find the equilibria of free coordinates, and follow one over a parameter
+    Equilibrium(Equilibrium),
     /// Compare measured data with the motion
     Compare(Compare),
     /// Fit parameters to measured data

@@ -14,6 +14,7 @@ pub mod compare;
 pub mod completions;
 pub mod description;
 pub mod draw;
+pub mod equilibrium;
 pub mod fmt;
 pub mod generate;
 pub mod inspect;
@@ -131,6 +132,7 @@ fn outcome(command: Command, interface: clap::Command) -> Result<Outcome, Proble
         Command::Plan(plan) => plan::run(&plan),
         Command::Check(check) => check::run(&check),
         Command::Travel(travel) => travel::run(&travel),
+        Command::Equilibrium(equilibrium) => equilibrium::run(&equilibrium),
         Command::Compare(compare) => compare::run(&compare),
         #[cfg(feature = "calibrate")]
         Command::Calibrate(calibrate) => calibrate::run(&calibrate),

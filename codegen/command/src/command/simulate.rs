@@ -33,7 +33,7 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
         return Err(Problem(format!(
             "error: no coordinate of `{}` is free, so forces move nothing\n  = help: {}",
             arguments.described.file.display(),
-            missing_statement(&derived.system)
+            missing_statement(&derived.system, ", or use `linkwright solve`")
         )));
     }
     // The drift of energy is always reported.
@@ -104,13 +104,14 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
     )
 }
 
-/// Returns a `free` statement that would replace the first driver.
-fn missing_statement(system: &System) -> String {
+/// Returns a `free` statement that would replace the first driver, with what to do instead.
+pub(super) fn missing_statement(system: &System, instead: &str) -> String {
     let mut joints = system.mechanism.joints.iter();
     let driver = joints.find(|joint| joint.role == Role::Driver);
     let Some(driver) = driver.and_then(|it| it.label.strip_prefix("drive ")) else {
-        return "write `free NAME: phi(BODY) = START;` in place of a `drive` statement, or use `linkwright solve`"
-            .to_string();
+        return format!(
+            "write `free NAME: phi(BODY) = START;` in place of a `drive` statement{instead}"
+        );
     };
     let (name, driven) = driver.split_once(": ").unwrap_or(("NAME", driver));
     let massless = match system.mechanism.forces.masses.is_empty() {
@@ -118,6 +119,6 @@ fn missing_statement(system: &System) -> String {
         false => "",
     };
     format!(
-        "write `free {name}: {driven} = START;` in place of `drive {driver} = …;`{massless}, or use `linkwright solve`"
+        "write `free {name}: {driven} = START;` in place of `drive {driver} = …;`{massless}{instead}"
     )
 }

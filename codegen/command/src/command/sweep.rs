@@ -243,7 +243,7 @@ fn sets(arguments: &arguments::Sweep, derived: &Derived) -> Result<Sets, String>
     }
     let mut ranges: Vec<Range> = Vec::with_capacity(arguments.vary.len());
     for text in &arguments.vary {
-        let range = Range::read(derived, text)?;
+        let range = Range::read(derived, "--vary", text)?;
         let name = &range.varied.name;
         if ranges.iter().any(|it| it.varied.name == *name) {
             return Err(format!(

@@ -11,6 +11,10 @@ pub mod comparison_plot;
 pub mod drawing;
 pub mod dxf;
 pub mod effort;
+pub mod equilibrium_json;
+pub mod equilibrium_path;
+pub mod equilibrium_plot;
+pub mod equilibrium_text;
 pub mod first_step;
 pub mod frame_table;
 #[cfg(feature = "png")]

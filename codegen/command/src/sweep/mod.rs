@@ -29,4 +29,4 @@ pub use sets::{Grid, Samples, Sets};
 pub use shown::{Quantity, quantities};
 pub use summary::Summary;
 pub use table::{SIGNATURE, Table};
-pub use varied::Range;
+pub use varied::{Place, Range};

@@ -295,7 +295,7 @@ mod tests {
         let derived = &read.motions[0];
         let blocks = Interpreted::new(derived).expect("the equations determine the motion");
         let ranges = ["L3=50mm..150mm:23", "tilt=0..90deg:11"];
-        let ranges = ranges.map(|it| Range::read(derived, it).expect("a range"));
+        let ranges = ranges.map(|it| Range::read(derived, "--vary", it).expect("a range"));
         let sets = Sets::Grid(Grid::new(ranges.into()).expect("few sets"));
         let observables = [Observable::named(derived, "phi_rocker").expect("a coordinate")];
         let times = [0.0, 0.1, 0.2, 0.3];

@@ -9,9 +9,6 @@ use linkwright_codegen::stages::units::OutputUnit;
 
 use linkwright_solver::data::{ROUNDED_END, number_and_unit, on_end, powers};
 
-/// Option in messages.
-const OPTION: &str = "--vary";
-
 /// Number of digits of ends in a unit: two fewer than identify a number.
 const DIGITS: usize = 15;
 
@@ -160,23 +157,23 @@ pub fn named(name: &str, unit: &str) -> String {
 }
 
 impl Range {
-    /// Reads `NAME=FIRST..LAST:COUNT`, or `NAME=FIRST..LAST`. Without `=` and ends, they are those of the range in the
+    /// Reads the value of an option, `NAME=FIRST..LAST:COUNT` or `NAME=FIRST..LAST`. Without `=` and ends, they are those of the range in the
     /// description.
     ///
     /// # Errors
     /// The printed message.
-    pub fn read(derived: &Derived, text: &str) -> Result<Range, String> {
+    pub fn read(derived: &Derived, option: &str, text: &str) -> Result<Range, String> {
         let form = || {
             format!(
-                "error: `{OPTION} {text}` is not a range\n  = help: write it as in `{OPTION} rod=100mm..200mm:101`"
+                "error: `{option} {text}` is not a range\n  = help: write it as in `{option} rod=100mm..200mm:101`"
             )
         };
         let Some((name, range)) = text.split_once('=') else {
-            return Range::of_description(derived, text).unwrap_or_else(|| Err(form()));
+            return Range::of_description(derived, option, text).unwrap_or_else(|| Err(form()));
         };
         let (first, rest) = range.split_once("..").ok_or_else(form)?;
         let (last, count) = match rest.rsplit_once(':') {
-            Some((last, count)) => (last, Some(read_count(text, count.trim())?)),
+            Some((last, count)) => (last, Some(read_count(option, text, count.trim())?)),
             None => (rest, None),
         };
         let (name, ends) = (name.trim(), [first.trim(), last.trim()]);
@@ -185,7 +182,7 @@ impl Range {
         }
         let mut values = [0.0; 2];
         for (value, end) in values.iter_mut().zip(ends) {
-            *value = value_of(derived, name, end)?;
+            *value = value_of(derived, option, name, end)?;
         }
         let Some((place, dimension)) = place(derived, name) else {
             return Err(form());
@@ -197,7 +194,7 @@ impl Range {
             |end: Option<(f64, &str)>| matches!(end, Some((number, "")) if number != 0.0);
         if one != other && units.iter().any(|it| is_plain(*it)) {
             return Err(format!(
-                "error: one end of `{OPTION} {text}` has a unit, and the other has none\n  = help: write the unit of both"
+                "error: one end of `{option} {text}` has a unit, and the other has none\n  = help: write the unit of both"
             ));
         }
         // Ends in one unit are divided in this unit, so that the column has its round numbers.
@@ -219,15 +216,19 @@ impl Range {
         };
         let varied = Varied::new(derived, name, place, dimension, written);
         if !(ends[1] - ends[0]).is_finite() {
-            return Err(format!("error: `{OPTION} {text}` is not a finite range"));
+            return Err(format!("error: `{option} {text}` is not a finite range"));
         }
-        counted(text, (varied, ends), count)
+        counted(option, text, (varied, ends), count)
     }
 }
 
 impl Range {
     /// Reads `NAME:COUNT` or `NAME`, with the ends of the description; `None` for another name.
-    fn of_description(derived: &Derived, text: &str) -> Option<Result<Range, String>> {
+    fn of_description(
+        derived: &Derived,
+        option: &str,
+        text: &str,
+    ) -> Option<Result<Range, String>> {
         let (name, count) = match text.split_once(':') {
             Some((name, count)) => (name, Some(count.trim())),
             None => (text, None),
@@ -237,33 +238,34 @@ impl Range {
         let varied = Varied::new(derived, name, place, dimension, None);
         let Some(range) = varied.range else {
             return Some(Err(format!(
-                "error: `{name}` has no range in the description\n  = help: write both ends, as in `{OPTION} rod=100mm..200mm:101`"
+                "error: `{name}` has no range in the description\n  = help: write both ends, as in `{option} rod=100mm..200mm:101`"
             )));
         };
-        let count = match count.map(|count| read_count(text, count)) {
+        let count = match count.map(|count| read_count(option, text, count)) {
             Some(Err(message)) => return Some(Err(message)),
             Some(Ok(count)) => Some(count),
             None => None,
         };
-        Some(counted(text, varied.in_column_unit(range), count))
+        Some(counted(option, text, varied.in_column_unit(range), count))
     }
 }
 
 /// Returns a range, of whose values there are enough.
 fn counted(
+    option: &str,
     text: &str,
     (varied, ends): (Varied, [f64; 2]),
     count: Option<u64>,
 ) -> Result<Range, String> {
     match count {
         Some(0) => Err(format!(
-            "error: `{OPTION} {text}` has no values\n  = help: write the number of values behind `:`, at least 2"
+            "error: `{option} {text}` has no values\n  = help: write the number of values behind `:`, at least 2"
         )),
         Some(1) if ends[0] != ends[1] => Err(format!(
-            "error: `{OPTION} {text}` has two ends, but one value\n  = help: write at least 2 values, or equal ends"
+            "error: `{option} {text}` has two ends, but one value\n  = help: write at least 2 values, or equal ends"
         )),
         Some(2..) | None if ends[0] == ends[1] => Err(format!(
-            "error: the range `{OPTION} {text}` is empty\n  = help: write different ends, or set the value with `--set`"
+            "error: the range `{option} {text}` is empty\n  = help: write different ends, or set the value with `--set`"
         )),
         count => Ok(Range {
             varied,
@@ -273,18 +275,18 @@ fn counted(
     }
 }
 
-fn read_count(text: &str, count: &str) -> Result<u64, String> {
+fn read_count(option: &str, text: &str, count: &str) -> Result<u64, String> {
     count.parse().map_err(|_| {
         format!(
-            "error: `{count}` in `{OPTION} {text}` is not a number of values\n  = help: write a whole number behind `:`"
+            "error: `{count}` in `{option} {text}` is not a number of values\n  = help: write a whole number behind `:`"
         )
     })
 }
 
 /// Returns the value of an end in SI units, which an assignment would give.
-fn value_of(derived: &Derived, name: &str, end: &str) -> Result<f64, String> {
+fn value_of(derived: &Derived, option: &str, name: &str, end: &str) -> Result<f64, String> {
     let (mut pool, mut mechanism) = (derived.pool.clone(), derived.system.mechanism.clone());
-    set(&mut pool, &mut mechanism, OPTION, &format!("{name}={end}"))?;
+    set(&mut pool, &mut mechanism, option, &format!("{name}={end}"))?;
     let value = match place(derived, name) {
         Some((Place::Parameter(at), _)) => pool.graph.nominal(mechanism.parameters[at].symbol),
         Some((Place::Input(at), _)) => pool.graph.constant_value(mechanism.inputs[at].signal[0]),
@@ -292,13 +294,13 @@ fn value_of(derived: &Derived, name: &str, end: &str) -> Result<f64, String> {
     };
     let value = value.ok_or_else(|| {
         format!(
-            "error: `{end}` in `{OPTION} {name}` depends on t\n  = help: write numbers; a varied input is constant during a motion"
+            "error: `{end}` in `{option} {name}` depends on t\n  = help: write numbers; a varied input is constant during a motion"
         )
     })?;
     match value.is_finite() {
         true => Ok(value),
         false => Err(format!(
-            "error: `{end}` in `{OPTION} {name}` is not a finite number"
+            "error: `{end}` in `{option} {name}` is not a finite number"
         )),
     }
 }

@@ -3,7 +3,8 @@
 //! Free coordinates are unknowns like all others: with their values s after q, Φ(q, s, t) = 0 are joints and drivers, and f directions of
 //! (q, s) are left to the forces. No block of the solved formulation is used, so that the choice of free coordinates does not matter.
 
-use linkwright_codegen::stages::expr::ExprId;
+use linkwright::{Signal, Values as _};
+use linkwright_codegen::stages::expr::{ExprId, SymbolId};
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
@@ -16,7 +17,7 @@ use crate::supplied::{InputLaws, Numbers};
 
 /// Equations of a mechanism that forces move.
 #[derive(Clone, Debug)]
-pub(super) struct MotionEquations {
+pub(crate) struct MotionEquations {
     layout: Layout,
     parameters: Numbers,
     laws: InputLaws,
@@ -29,7 +30,7 @@ pub(super) struct MotionEquations {
     /// Inputs that are the values of free coordinates.
     free: Vec<usize>,
     /// Elongations of springs and dampers.
-    pub elongations: Elongations,
+    pub(super) elongations: Elongations,
     /// True for each unknown that is a length.
     pub is_length: Vec<bool>,
     /// Units of rows: lengths of the mechanism.
@@ -37,8 +38,17 @@ pub(super) struct MotionEquations {
     pub coordinate_scales: Vec<f64>,
 }
 
+/// Parameter or input that is varied while the mechanism rests.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Varied {
+    /// Index among the parameters, and symbol.
+    Parameter(usize, SymbolId),
+    /// Index among the inputs.
+    Input(usize),
+}
+
 /// Loads and energies in a pose with rates.
-pub(super) struct Dynamics {
+pub(crate) struct Dynamics {
     /// Φ_t of the constraints.
     pub time_derivative: DVector<f64>,
     /// γ of the constraints.
@@ -161,6 +171,22 @@ impl MotionEquations {
         })
     }
 
+    /// Sets a parameter by its index and its symbol, or an input that a caller holds.
+    pub fn set(&mut self, place: Varied, value: f64) {
+        match place {
+            Varied::Parameter(place, symbol) => {
+                self.parameters.set(place, value);
+                self.laws.set_symbol(symbol, value);
+            }
+            Varied::Input(place) => self.laws.hold(place, value),
+        }
+    }
+
+    /// Layout of the values of instants.
+    pub fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
     /// Number of equations, and number of unknowns.
     pub fn dimensions(&self) -> [usize; 2] {
         [self.row_scales.len(), self.coordinate_scales.len()]
@@ -171,11 +197,28 @@ impl MotionEquations {
         self.free.len()
     }
 
+    /// Returns the unit of a free coordinate: 1 for an angle, or a length.
+    pub fn free_scale(&self, place: usize) -> f64 {
+        let bodies = self.coordinate_scales.len() - self.free.len();
+        self.coordinate_scales[bodies + place]
+    }
+
     /// Returns an instant at a time (s) with the inputs of their laws.
     pub fn instant(&self, t: f64) -> Instant {
         let mut instant = self.layout.empty();
         instant.set_given(&self.parameters, &self.laws.at(t));
         instant.values_mut()[0] = t;
+        instant
+    }
+
+    /// Returns an instant at a time (s) at which all inputs stand still.
+    pub fn resting_instant(&self, t: f64) -> Instant {
+        let mut instant = self.instant(t);
+        let mut inputs = self.layout.inputs(&instant);
+        for signal in &mut inputs.0 {
+            *signal = Signal::constant(signal.value);
+        }
+        instant.set_given(&self.parameters, &inputs);
         instant
     }
 

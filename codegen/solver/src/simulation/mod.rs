@@ -20,6 +20,9 @@ mod solved;
 mod stop;
 mod straight;
 
+pub(crate) use equations::MotionEquations;
+pub use equations::Varied;
+
 pub use crate::tolerances::Tolerances;
 pub use method::Method;
 pub use reduced::ReducedMotion;
@@ -27,7 +30,6 @@ pub use stop::Stop;
 
 use balance::Balance;
 use crossing::Crossing;
-use equations::MotionEquations;
 use linkwright::{Blocks, Shell};
 use method::{Chosen, Step};
 use right_side::RightSide;

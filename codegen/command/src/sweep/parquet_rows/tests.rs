@@ -102,7 +102,7 @@ fn cells_are_those_of_csv_bit_by_bit() {
     let derived = &read.motions[0];
     let blocks = Interpreted::new(derived).expect("the equations determine the motion");
     let ranges = ["L3=50mm..150mm:23", "set=-0.0..1:2"];
-    let ranges = ranges.map(|it| Range::read(derived, it).expect("a range"));
+    let ranges = ranges.map(|it| Range::read(derived, "--vary", it).expect("a range"));
     let sets = Sets::Grid(Grid::new(ranges.into()).expect("few sets"));
     let quantities = quantities(derived, &["phi_rocker".to_string(), "C_vx".to_string()]);
     let quantities = quantities.expect("known names");
