@@ -93,14 +93,6 @@ impl Progress {
         }
     }
 
-    /// Prints a line above the bar; nothing while no bar is shown. Returns true if a bar is there.
-    pub fn note(&self, line: &str) -> bool {
-        if let Some(bar) = &self.bar {
-            bar.println(line);
-        }
-        self.bar.is_some()
-    }
-
     /// Removes the bar, and returns the total time.
     pub fn finish(self) -> Duration {
         if let Some(bar) = self.bar {

@@ -18,7 +18,7 @@ fn equilibria(text: &str) -> Equilibria {
 fn sought(text: &str) -> Result<Equilibria, Unbalanced> {
     let derived = description::written(text);
     let view = Interpreted::new(&derived).expect("the equations determine the motion");
-    Equilibria::new(&derived, &view, 0.0, STARTS, |_, _| ())
+    Equilibria::new(&derived, &view, 0.0, STARTS, |_, _| true)
 }
 
 /// Follows an equilibrium over the only parameter, which has the first value in the description.
@@ -27,9 +27,9 @@ fn followed(text: &str, of: Option<usize>, ends: [f64; 2]) -> EquilibriumPath {
     let view = Interpreted::new(&derived).expect("the equations determine the motion");
     let parameter = &view.system().mechanism.parameters[0];
     let place = Varied::Parameter(0, parameter.symbol);
-    let all = Equilibria::new(&derived, &view, 0.0, STARTS, |_, _| ()).expect("equilibria");
+    let all = Equilibria::new(&derived, &view, 0.0, STARTS, |_, _| true).expect("equilibria");
     let of = of.or(all.nearest).expect("an equilibrium");
-    EquilibriumPath::new(&all, of, place, ends, |_| ()).expect("a direction")
+    EquilibriumPath::new(&all, of, place, ends, |_| true).expect("a direction")
 }
 
 #[track_caller]
@@ -522,7 +522,7 @@ fn drives_stand_still() {
     );
     let view = Interpreted::new(&derived).expect("the equations determine the motion");
     for t in [0.0, 0.4] {
-        let list = Equilibria::new(&derived, &view, t, STARTS, |_, _| ()).expect("equilibria");
+        let list = Equilibria::new(&derived, &view, t, STARTS, |_, _| true).expect("equilibria");
         let hanging = list.all.iter().find(|it| it.verdict.stability == Stable);
         let hanging = hanging.expect("a hanging bob");
         near(hanging.free[0], -(30_f64.to_radians() + 2.0 * t), 1e-12);

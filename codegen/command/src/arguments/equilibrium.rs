@@ -59,4 +59,6 @@ Examples:
   linkwright equilibrium truss.mech --path load=0N..120N --plot pictures    through both snaps
   linkwright equilibrium truss.mech --path load=0N..120N --of 3             another equilibrium of the list
 
+Ctrl-C ends the search or the path with what is done so far; a second one ends the command.
+
 Exit codes: 0 found, 1 nothing is in equilibrium, a path is lost or the mechanism cannot be assembled, 2 bad input.";

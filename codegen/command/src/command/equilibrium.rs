@@ -1,5 +1,7 @@
 //! Finds the equilibria of free coordinates, and follows one over a parameter.
 
+use std::sync::atomic::Ordering;
+
 use linkwright_codegen::stages::system::{Derived, System};
 use linkwright_solver::View as _;
 use linkwright_solver::equilibrium::{Equilibria, EquilibriumPath, PathEnd, Unbalanced, Varied};
@@ -9,6 +11,7 @@ use super::description::{determined, interpreted, outputs, set_all, source};
 use super::simulate::missing_statement;
 use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Equilibrium as Arguments;
+use crate::interruption;
 use crate::progress::Progress;
 use crate::report::equilibrium_path::{self, Followed};
 use crate::report::{equilibrium_json, equilibrium_plot, equilibrium_text, picture};
@@ -60,21 +63,16 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
     }
     let view = interpreted(&derived, &source)?;
     let system = view.system();
+    let stop = interruption::flag();
     let mut progress = Progress::of_starts(arguments.starts);
-    let mut noted = 0;
     let equilibria = Equilibria::new(
         &derived,
         &view,
         arguments.at,
         arguments.starts,
-        |count, list| {
+        |count, _| {
             progress.reached(count);
-            // What an interrupted search has found stays on the terminal.
-            while let Some(equilibrium) = list.get(noted)
-                && progress.note(&equilibrium_text::line(equilibrium, system))
-            {
-                noted += 1;
-            }
+            !stop.load(Ordering::Relaxed)
         },
     );
     progress.finish();
@@ -121,7 +119,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
         }
     }
     let is_lost = match &followed {
-        Some(followed) => matches!(followed.path.end, PathEnd::Lost | PathEnd::Long),
+        Some(followed) => matches!(
+            followed.path.end,
+            PathEnd::Lost | PathEnd::Long | PathEnd::Interrupted
+        ),
         None => varying.is_some(),
     };
     let is_any = equilibria.is_everywhere || !equilibria.all.is_empty();
@@ -153,8 +154,10 @@ fn follow(
         )));
     }
     let mut progress = Progress::new(EXPECTED_POINTS);
+    let stop = interruption::flag();
     let path = EquilibriumPath::new(equilibria, chosen, varying.place, varying.ends, |count| {
-        progress.reached(count)
+        progress.reached(count);
+        !stop.load(Ordering::Relaxed)
     });
     progress.finish();
     let path = path.map_err(|_| {

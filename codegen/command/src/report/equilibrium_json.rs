@@ -16,12 +16,13 @@
 //! | `broken_limits` there | names of the measures whose limits it breaks |
 //! | `nearest` | index of the stable equilibrium next to the design configuration, from 0; `null` without any |
 //! | `left_out` | number of equilibria with an input outside of its range |
+//! | `interrupted` | true if Ctrl-C has ended the search |
 //! | `curves` | for one free coordinate, the ends of each followed curve of poses: `closed`, `window` or `singular` |
 //! | `starts`, `settled` | for several, the number of starts, and of those that led to an equilibrium |
 //! | `path` | with `--path`: `{name, unit, of, rows, events, end}` |
 //! | `rows` there | `{value, free, measures, stability}` each |
 //! | `events` there | `{kind, value, free, measures, before, behind, place}` each; `kind` is `fold` or `change_of_stability`, and `place` the number of rows before it |
-//! | `end` there | `last`, `first`, `closed`, `lost` or `long` |
+//! | `end` there | `last`, `first`, `closed`, `lost`, `long` or `interrupted` |
 
 use std::io::{self, Write};
 
@@ -46,6 +47,7 @@ struct Object<'a> {
     equilibria: Vec<Entry<'a>>,
     nearest: Option<usize>,
     left_out: usize,
+    interrupted: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     curves: Option<Vec<[&'static str; 2]>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -141,6 +143,7 @@ pub fn write(
             .collect(),
         nearest: equilibria.nearest,
         left_out: equilibria.refused,
+        interrupted: equilibria.is_interrupted,
         curves,
         starts: starts.map(|it| it[0]),
         settled: starts.map(|it| it[1]),
@@ -250,6 +253,7 @@ fn path<'a>(followed: &'a Followed, system: &System, [free, measures]: [&[Column
             PathEnd::Closed => "closed",
             PathEnd::Lost => "lost",
             PathEnd::Long => "long",
+            PathEnd::Interrupted => "interrupted",
         },
         unit: unit.name,
     }

@@ -82,6 +82,7 @@ pub fn write(followed: &Followed, system: &System, output: &mut dyn Write) -> io
         PathEnd::Lost => {
             "is lost: no equilibrium continues, or the mechanism becomes singular".to_string()
         }
+        PathEnd::Interrupted => "is interrupted".to_string(),
         PathEnd::Long => "is not followed further after so many points".to_string(),
     };
     writeln!(output, "the path {end}")

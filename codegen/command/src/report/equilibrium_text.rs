@@ -104,17 +104,6 @@ pub(super) fn measure_cells(
     cells.collect()
 }
 
-/// Returns a line on an equilibrium during a search.
-pub fn line(equilibrium: &Equilibrium, system: &System) -> String {
-    let columns = free_columns(system);
-    let values = columns.iter().zip(&equilibrium.free);
-    let values: Vec<String> = values
-        .map(|(column, value)| format!("{} = {}", column.name, column.text(*value)))
-        .collect();
-    let stability = equilibrium.verdict.stability.name();
-    format!("  {}: {stability}", values.join(", "))
-}
-
 /// Writes the equilibria, and what was searched with drivers and inputs at `t` (s).
 ///
 /// # Errors
@@ -147,6 +136,9 @@ pub fn write(
     } else {
         table(equilibria, system, output)?;
         remarks(equilibria, system, output)?;
+    }
+    if equilibria.is_interrupted {
+        writeln!(output, "interrupted: there may be more")?;
     }
     if equilibria.refused > 0 {
         writeln!(

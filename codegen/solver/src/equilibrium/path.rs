@@ -57,6 +57,8 @@ pub enum PathEnd {
     Lost,
     /// The number of steps is too large.
     Long,
+    /// The caller ends the path.
+    Interrupted,
 }
 
 /// Path of an equilibrium.
@@ -76,7 +78,7 @@ pub struct Unfollowed;
 
 impl EquilibriumPath {
     /// Follows an equilibrium from the first value of a parameter or an input, at which it was found, until the value leaves its range.
-    /// `see` receives the number of points so far.
+    /// `see` receives the number of points so far; it returns false to end the path.
     ///
     /// # Errors
     /// The path has no direction at its first point.
@@ -85,7 +87,7 @@ impl EquilibriumPath {
         of: usize,
         place: Varied,
         ends: [f64; 2],
-        mut see: impl FnMut(usize),
+        mut see: impl FnMut(usize) -> bool,
     ) -> Result<EquilibriumPath, Unfollowed> {
         let first = equilibria.all.get(of).ok_or(Unfollowed)?;
         if first.verdict.vanishing > 0 {
@@ -104,7 +106,10 @@ impl EquilibriumPath {
             .push(row(equilibria, &follower, &start, verdict.clone()));
         let (mut last, mut length) = (start.clone(), STEP);
         while path.rows.len() < MAX_STEPS {
-            see(path.rows.len());
+            if !see(path.rows.len()) {
+                path.end = PathEnd::Interrupted;
+                break;
+            }
             let next = follower.next(&last, length);
             let next = next.filter(|it| follower.cosine(&last, it) >= STRAIGHT);
             // A step that does not lead back has jumped to another path.

@@ -57,12 +57,14 @@ pub struct Equilibria {
     pub coverage: Coverage,
     /// Number of equilibria that were left out because an input or a free coordinate is outside of its range.
     pub refused: usize,
+    /// True if the search has ended early.
+    pub is_interrupted: bool,
     pub(super) equations: StaticEquations,
     pub(super) view: Dense,
 }
 
-/// Receiver of the number of starts so far, and of the equilibria.
-type Progress<'a> = dyn FnMut(usize, &[Equilibrium]) + 'a;
+/// Receiver of the number of starts so far, and of the equilibria; it returns false to end the search.
+type Progress<'a> = dyn FnMut(usize, &[Equilibrium]) -> bool + 'a;
 
 /// Search in progress.
 struct Search<'a> {
@@ -72,11 +74,12 @@ struct Search<'a> {
     start: &'a PoseForces,
     found: Vec<Equilibrium>,
     refused: Vec<PoseForces>,
+    is_interrupted: bool,
 }
 
 impl Equilibria {
     /// Searches from the assembly in the design modes at `t` (s), and from `starts` other poses. `see` receives the number of starts so
-    /// far, and the equilibria.
+    /// far, and the equilibria; it returns false to end the search early.
     ///
     /// # Errors
     /// The reason that no equilibria can be sought.
@@ -85,7 +88,7 @@ impl Equilibria {
         interpreted: &Interpreted,
         t: f64,
         starts: u32,
-        mut see: impl FnMut(usize, &[Equilibrium]),
+        mut see: impl FnMut(usize, &[Equilibrium]) -> bool,
     ) -> Result<Equilibria, Unbalanced> {
         let equations = StaticEquations::new(&derived.pool, &derived.system, t);
         let equations = equations.ok_or(Unbalanced::NothingFree)?;
@@ -98,14 +101,19 @@ impl Equilibria {
             start: &start,
             found: Vec::new(),
             refused: Vec::new(),
+            is_interrupted: false,
         };
         let (coverage, is_everywhere) = match equations.freedom() {
             1 => search.along_curves(starts, &mut see),
             _ => search.over_starts(starts, &mut see),
         };
         let Search {
-            mut found, refused, ..
+            mut found,
+            refused,
+            is_interrupted,
+            ..
         } = search;
+        let is_everywhere = is_everywhere && !is_interrupted;
         if is_everywhere {
             found.clear();
         }
@@ -131,6 +139,7 @@ impl Equilibria {
             is_everywhere,
             coverage,
             refused: refused.len(),
+            is_interrupted,
             all: found,
             equations,
             view,
@@ -143,7 +152,9 @@ impl Search<'_> {
     fn along_curves(&mut self, starts: u32, see: &mut Progress<'_>) -> (Coverage, bool) {
         let origin = &self.start.unknowns;
         let mut curves: Vec<Curve> = Vec::new();
-        let first = Curve::through(self.equations, self.start, origin, &mut || see(0, &[]));
+        let first = Curve::through(self.equations, self.start, origin, &mut || {
+            see(0, &[]);
+        });
         self.settle(&first, self.start, true);
         curves.push(first);
         // An equilibrium may be farther away than the curve is followed.
@@ -153,7 +164,10 @@ impl Search<'_> {
         }
         let others = Starts::about(self.equations, self.start);
         for index in 0..starts {
-            see(index as usize, &self.found);
+            if !see(index as usize, &self.found) {
+                self.is_interrupted = true;
+                break;
+            }
             let Some(pose) = others.scattered(index) else {
                 continue;
             };
@@ -219,7 +233,10 @@ impl Search<'_> {
         let (mut tried, mut settled_count) = (0, 0);
         let mut is_everywhere = true;
         for index in 0..=starts {
-            see(index as usize, &self.found);
+            if !see(index as usize, &self.found) {
+                self.is_interrupted = true;
+                break;
+            }
             let pose = match (index, index % 2) {
                 (0, _) => Some(self.start.clone()),
                 (_, 1) => Some(others.walked(index / 2)),
