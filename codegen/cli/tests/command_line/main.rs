@@ -5,6 +5,7 @@ mod branch;
 #[cfg(feature = "calibrate")]
 mod calibrate;
 #[cfg(feature = "calibrate")]
+mod calibrate_measures;
 mod calibrate_ranges;
 #[cfg(feature = "calibrate")]
 mod calibrate_trust;
