@@ -8,20 +8,20 @@ use std::time::Instant;
 use clap::Parser;
 use linkwright_calibrate::StartSampling;
 use linkwright_tests::study::destination::{Destination, ended};
-use linkwright_tests::synthesis::{CASES, Case};
+use linkwright_tests::synthesis::{CASES, Case, Solved};
 
 /// Solves published cases of path synthesis and writes a report
 #[derive(Parser)]
 struct Arguments {
     /// Number of sampled mechanisms
-    #[arg(long, default_value_t = 16_384)]
+    #[arg(long, default_value_t = 65_536)]
     samples: u32,
     /// Number of fits
-    #[arg(long, default_value_t = 200)]
+    #[arg(long, default_value_t = 1000)]
     fits: usize,
-    /// Seed of the samples
-    #[arg(long, default_value_t = 0)]
-    seed: u64,
+    /// Number of seeds, from 0 on
+    #[arg(long, default_value_t = 5)]
+    seeds: u64,
     #[command(flatten)]
     destination: Destination,
 }
@@ -37,7 +37,8 @@ The points are those of Cabrera, Simon and Prado 2002 (Optimal synthesis of mech
 Acharyya and Mandal 2009 (Performance of EAs for four-bar linkage synthesis, Mech. Mach. Theory 44). The error is the sum of the squared
 distances. **Published** is the error of the best published design that could be found with its numbers: it was computed from these numbers
 by the intersection of two circles, as **this** error was. Errors that are quoted without a design are not listed. The cranks of all designs turn
-round. The certificate is a proof that the mechanism moves on one smooth path over a full turn; the sine is that between coupler and rocker
+round. **Seeds** is the number of
+those of which each alone reaches the published error, and the time is the median of one. The certificate is a proof that the mechanism moves on one smooth path over a full turn; the sine is that between coupler and rocker
 where they come closest to being in line.
 
 The designs are from W.-Y. Lin, from J. A. Cabrera, A. Ortiz, F. Nadal and J. J. Castillo 2011 (An evolutionary algorithm for path synthesis of
@@ -56,24 +57,35 @@ fn main() -> ExitCode {
 fn run(arguments: &Arguments) -> Result<bool, Box<dyn Error>> {
     let environment = arguments.destination.environment();
     let threads = thread::available_parallelism().map_or(1, usize::from);
-    let mut table = "| case | published | this | time (s) | certificate | smallest sine |\n|---|---|---|---|---|---|\n".to_string();
+    let mut table = "| case | published | this | seeds | time (s) | certificate | smallest sine |\n|---|---|---|---|---|---|---|\n".to_string();
     let mut designs = String::new();
     let mut is_good = true;
     for case in &CASES {
-        let sampling = StartSampling {
-            count: arguments.samples,
-            fits: arguments.fits,
-            seed: arguments.seed,
-        };
-        let begin = Instant::now();
-        let solved = case.solved(sampling, threads).ok_or("no solution")?;
-        let seconds = begin.elapsed().as_secs_f64();
+        let mut best: Option<Solved> = None;
+        let (mut reached, mut seconds) = (0, Vec::new());
+        for seed in 0..arguments.seeds {
+            let sampling = StartSampling {
+                count: arguments.samples,
+                fits: arguments.fits,
+                seed,
+            };
+            let begin = Instant::now();
+            let solved = case.solved(sampling, threads).ok_or("no solution")?;
+            seconds.push(begin.elapsed().as_secs_f64());
+            reached += usize::from(solved.error <= largest(case));
+            if best.as_ref().is_none_or(|it| solved.error < it.error) {
+                best = Some(solved);
+            }
+        }
+        let solved = best.ok_or("no seed")?;
+        seconds.sort_by(f64::total_cmp);
+        let seconds = seconds[seconds.len() / 2];
         let certificate = case.certificate(&solved);
         let is_proven = certificate.proof.proven.is_some();
         is_good &= is_proven && solved.error <= largest(case);
         let sine = certificate.check.smallest_measure();
         table += &format!(
-            "| {} | {:.4e} | {:.4e} | {seconds:.1} | {} | {:.4} |\n",
+            "| {} | {:.4e} | {:.4e} | {reached} | {seconds:.1} | {} | {:.4} |\n",
             case.name,
             case.published_error(),
             solved.error,
@@ -99,13 +111,13 @@ fn run(arguments: &Arguments) -> Result<bool, Box<dyn Error>> {
         .collect();
     let report = format!(
         "# Synthesis\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin synthesis`.\n\n{}- search: {} samples, {} fits, {threads} threads, \
-         seed {}\n\n{EXPLANATION}\n{table}\nPublished designs:\n\n{sources}\n## Designs\n\nr1 to r4 are ground link, crank, coupler and rocker; cx and cy are the coupler point along and across \
+         {} seeds\n\n{EXPLANATION}\n{table}\nPublished designs:\n\n{sources}\n## Designs\n\nr1 to r4 are ground link, crank, coupler and rocker; cx and cy are the coupler point along and across \
          the coupler; x0, y0 and the angle θ0 place the ground link; θ2 is the angle of the crank against it at the first point (rad).\n\n\
          | case | r1 | r2 | r3 | r4 | cx | cy | x0 | y0 | θ0 | θ2 |\n|---|---|---|---|---|---|---|---|---|---|---|\n{designs}",
         environment.lines(),
         arguments.samples,
         arguments.fits,
-        arguments.seed,
+        arguments.seeds,
     );
     arguments.destination.write("synthesis.md", &report)?;
     Ok(is_good)
