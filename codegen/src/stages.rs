@@ -26,7 +26,7 @@ pub mod model {
     #[doc(inline)]
     pub use crate::model::{
         Body, Clearance, Dimension, Distribution, ENDS_OF_TABLES, FUNCTIONS, Joint, LAWS, Limit,
-        MEASURE_FUNCTIONS, Measurement, Mechanism, Mention, Requested, Role, follow_points,
+        MEASURE_FUNCTIONS, Measurement, Mechanism, Mention, Motor, Requested, Role, follow_points,
         range_text, set, si_unit, unit, value_text,
     };
     #[doc(inline)]

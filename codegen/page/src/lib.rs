@@ -25,6 +25,7 @@ mod live;
 pub mod measured;
 mod message;
 pub mod motion;
+pub mod motors;
 mod moving;
 mod number;
 mod pattern;

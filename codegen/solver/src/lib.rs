@@ -91,6 +91,8 @@ pub mod measure_watch;
 #[doc(hidden)]
 pub mod measures;
 #[doc(hidden)]
+pub mod motors;
+#[doc(hidden)]
 pub mod not_finite;
 #[doc(hidden)]
 pub mod number;

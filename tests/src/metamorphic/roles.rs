@@ -73,6 +73,7 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             | Statement::Measure(_)
             | Statement::Limit(_)
             | Statement::Clearance(_)
+            | Statement::Motor(_)
             | Statement::Request(_)
             | Statement::Mass(_)
             | Statement::Gravity(_)
@@ -341,6 +342,11 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
             Statement::Torque(torque) => visit(&torque.value, true),
             Statement::Limit(limit) => {
                 limit.ends.iter().flatten().for_each(|it| visit(it, false));
+            }
+            Statement::Motor(motor) => {
+                let formulas = [&motor.gear, &motor.inertia, &motor.efficiency];
+                let formulas = formulas.into_iter().flatten();
+                formulas.for_each(|it| visit(it, false));
             }
             // Its points are numbers.
             Statement::Table(_) | Statement::Request(_) | Statement::Units(_) => {}

@@ -77,6 +77,7 @@ const SOLVER: (&str, &[&str]) = (
         "radau",
         "view",
         "approach",
+        "motors",
         "measure_watch",
         "checked_part",
         "dense",

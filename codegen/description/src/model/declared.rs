@@ -9,7 +9,7 @@ use super::expression::Value;
 use super::measured_element::MeasuredElement;
 use super::namespace::Namespace;
 use super::parameters::Fields;
-use super::{Input, Limit, Measurement, Parameter, Table};
+use super::{Input, Limit, Measurement, Motor, Parameter, Table};
 use crate::diagnostic::{Attachment, Span, Suggestions};
 use crate::expr::SymbolId;
 use crate::joint::geometry::{BodyId, Vector};
@@ -56,6 +56,7 @@ pub(super) struct Declared<'a> {
     pub measures: Namespace<Option<usize>>,
     pub measurements: Vec<Measurement>,
     pub limits: Vec<Limit>,
+    pub motors: Vec<Motor>,
     /// Files that the description names.
     pub attachments: &'a [Attachment],
     suggestions: Suggestions,
@@ -85,6 +86,7 @@ impl Declared<'_> {
             measures: Namespace::new("measure"),
             measurements: Vec::new(),
             limits: Vec::new(),
+            motors: Vec::new(),
             attachments: &[],
             suggestions: Suggestions::default(),
         };

@@ -163,6 +163,7 @@ pub(super) fn resolve_statements<'a>(
         points,
         measurements: resolver.declared.measurements,
         limits: resolver.declared.limits,
+        motors: resolver.declared.motors,
         clearances,
         requests,
         transmissions,
@@ -226,6 +227,7 @@ impl Resolver<'_> {
             syntax::Statement::Torque(torque) => self.add_torque(torque),
             syntax::Statement::Measure(measure) => self.add_measure(measure),
             syntax::Statement::Limit(limit) => self.add_limit(limit),
+            syntax::Statement::Motor(motor) => self.add_motor(motor),
             // Points are known after all bodies, and parameters and joints may follow.
             syntax::Statement::Clearance(_)
             | syntax::Statement::Request(_)

@@ -9,6 +9,9 @@ use super::{ForceTerm, Role};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::syntax::{Name, RequestKind, Statement};
 
+/// Word of the statements that measure the forces of drivers at motors.
+const MOTOR: &str = "motor";
+
 impl Resolver<'_> {
     /// Returns masses, loads and requests.
     pub(super) fn wanted_forces(&mut self, statements: &[&Statement]) -> Forces {
@@ -32,9 +35,14 @@ impl Resolver<'_> {
         forces.reactions = self.reactions(statements, every);
         forces.least_norm = self.has(RequestKind::LeastNorm, statements);
         let mut requests = asking(statements);
-        requests.extend(self.measured_forces().map(|(force, span)| match force {
-            ForceTerm::Effort(_) | ForceTerm::Power(_) => ("effort", span),
-            ForceTerm::Reaction(..) => ("reaction", span),
+        requests.extend(self.measured_forces().map(|(force, span)| {
+            let mut motors = self.declared.motors.iter();
+            let word = match force {
+                _ if motors.any(|it| it.span.range().contains(&span.range().start)) => MOTOR,
+                ForceTerm::Effort(_) | ForceTerm::Power(_) => "effort",
+                ForceTerm::Reaction(..) => "reaction",
+            };
+            (word, span)
         }));
         if let Some((word, span)) = requests.first() {
             let word = *word;
@@ -70,7 +78,8 @@ impl Resolver<'_> {
                 .help(format!("give the bodies a mass: `mass {body} = 2kg;`")),
             );
         }
-        if let Some((_, span)) = requests.iter().find(|(word, _)| *word == "effort") {
+        let is_of_driver = |word: &str| matches!(word, "effort" | MOTOR);
+        if let Some((_, span)) = requests.iter().find(|(word, _)| is_of_driver(word)) {
             self.require_drivers(*span, "has no effort along it", "`effort`");
         }
         let reaction = requests

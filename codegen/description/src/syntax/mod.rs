@@ -25,6 +25,7 @@ mod indexed;
 mod limit;
 mod literal;
 mod motion;
+mod motor;
 mod output;
 mod part;
 mod placed;
@@ -51,6 +52,7 @@ pub(crate) use files::{is_relative, leaves_folder};
 pub use forces::{Center, Element, ElementKind, Force, Gravity, Mass, Torque};
 pub use formula::*;
 pub use limit::Limit;
+pub use motor::Motor;
 pub use output::LEVELS;
 pub(crate) use scan::block_comment_length;
 pub use scan::{Comment, Kind, Lexeme, lexemes, lexemes_and_comments};
@@ -70,7 +72,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const MAX_DEPTH: usize = 128;
 
 /// Words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 35] = [
+pub const KEYWORDS: [&str; 36] = [
     "const",
     "param",
     "input",
@@ -102,6 +104,7 @@ pub const KEYWORDS: [&str; 35] = [
     "measure",
     "limit",
     "clearance",
+    "motor",
     "units",
     "motion",
     "repeat",
@@ -115,7 +118,7 @@ pub const BUILT_IN: &[&str] = &["t", "pi"];
 pub const AXES: [&str; 3] = ["x", "y", "phi"];
 
 /// Words within statements; each is special only in its position.
-pub const CLAUSES: [&str; 21] = [
+pub const CLAUSES: [&str; 23] = [
     "at",
     "turned",
     "facing",
@@ -126,6 +129,8 @@ pub const CLAUSES: [&str; 21] = [
     "free",
     "preload",
     "inertia",
+    "gear",
+    "efficiency",
     "from",
     "to",
     "tolerance",

@@ -96,6 +96,12 @@ impl<'a> Renaming<'a> {
                 self.name(&mut limit.measure)?;
                 self.formulas(limit.ends.iter_mut().flatten())
             }
+            Statement::Motor(motor) => {
+                self.name(&mut motor.driver)?;
+                self.formulas(&mut motor.gear)?;
+                self.formulas(&mut motor.inertia)?;
+                self.formulas(&mut motor.efficiency)
+            }
             Statement::Request(request) => {
                 self.items(&mut request.items)?;
                 self.names(&mut request.names)

@@ -18,6 +18,7 @@ use super::formula::{Expression, Name};
 use super::indexed;
 use super::limit::limit;
 use super::motion::motion;
+use super::motor::motor;
 use super::output::request;
 use super::reader::Outcome;
 use super::reference::{body_name, direction, identifier, operands, separator};
@@ -64,6 +65,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "measure" => constant(tokens, docs, first.span, "a measure").map(Statement::Measure),
         "clearance" => constant(tokens, docs, first.span, "a clearance").map(Statement::Clearance),
         "limit" => limit(tokens, docs, first.span),
+        "motor" => motor(tokens, docs, first.span),
         "units" => units(tokens, docs, first.span),
         "motion" => motion(tokens, docs, first.span),
         word => match REQUESTS.into_iter().find(|it| it.0 == word) {

@@ -194,6 +194,12 @@ impl<V: View> Followed<V> {
         }
         let squares = self.squares.iter_mut().zip(reported.iter().flatten());
         squares.for_each(|(square, &value)| square.add(instant.t(), value));
+        let first = self.force_count();
+        let measured = reported.as_deref().and_then(|it| it.get(first..));
+        let measured = measured.unwrap_or_default();
+        self.motors
+            .iter_mut()
+            .for_each(|it| it.see(instant.t(), measured));
         let pressures = self.reported_names.iter().zip(reported.iter().flatten());
         for (pulls, ((name, _), force)) in self.pulls.iter_mut().zip(pressures) {
             if name.ends_with("_pressure") && *force < 0.0 {

@@ -5,6 +5,7 @@ use linkwright_codegen::stages::system::System;
 use linkwright_solver::condition::Condition;
 use linkwright_solver::condition::{dimensionless, jacobian};
 use linkwright_solver::measures::{MeasuredPart, Measures};
+use linkwright_solver::motors::MotorPeaks;
 use linkwright_solver::pressure::PressureCheck;
 use linkwright_solver::residuals::ResidualCheck;
 use linkwright_solver::textbook::TextbookEquations;
@@ -81,6 +82,8 @@ pub struct Followed<V: View> {
     pub extremes: Vec<[(f64, f64); 2]>,
     /// Root mean squares of them over time.
     pub squares: Vec<MeanSquare>,
+    /// Worst points of motors.
+    pub motors: Vec<MotorPeaks>,
     /// First time (s) at which bodies that press on one another would have to pull, by index of the force; `None` if there is none.
     pub pulls: Vec<Option<f64>>,
     /// Names of the measures; empty unless they are requested.
@@ -155,6 +158,7 @@ impl<V: View> Followed<V> {
             largest_reported: vec![(0.0, start); reported_names.len()],
             extremes: vec![NO_EXTREMES; reported_names.len()],
             squares: vec![MeanSquare::default(); reported_names.len()],
+            motors: MotorPeaks::of(&system.mechanism),
             pulls: vec![None; reported_names.len()],
             reported_names,
             measure_names: monitored.map(name).collect(),
@@ -178,6 +182,12 @@ impl<V: View> Followed<V> {
         self.reported_names.len().saturating_sub(measures)
     }
 
+    /// Returns the root mean square of the torque of a motor.
+    pub fn rms_torque(&self, motor: &MotorPeaks) -> Option<f64> {
+        let torque = self.force_count() + motor.measurements[0];
+        self.squares.get(torque).map(MeanSquare::root)
+    }
+
     /// Converts a motion without instants to another formulation of the same mechanism.
     pub(super) fn seen_by<W: View>(self, view: W) -> Followed<W> {
         Followed {
@@ -197,6 +207,7 @@ impl<V: View> Followed<V> {
             largest_reported: self.largest_reported,
             extremes: self.extremes,
             squares: self.squares,
+            motors: self.motors,
             pulls: self.pulls,
             measure_names: self.measure_names,
             smallest_measure: self.smallest_measure,

@@ -161,6 +161,28 @@ fn of_forces(mechanism: &Mechanism, graph: &mut Graph) -> Vec<Required> {
             required.push(Required { owner, what, value });
         }
     }
+    for motor in &mechanism.motors {
+        let owner = format!("motor of {}", mechanism.joints[motor.joint].label);
+        let one = graph.one();
+        let lost = graph.subtract(one, motor.efficiency);
+        let values = [
+            ("the ratio of the gear", motor.gear),
+            ("the efficiency", motor.efficiency),
+            (
+                "1 less the efficiency, unless zero,",
+                positive_unless_zero(lost, graph),
+            ),
+            (
+                "the moment of inertia, unless zero,",
+                positive_unless_zero(motor.inertia, graph),
+            ),
+        ];
+        required.extend(values.map(|(what, value)| Required {
+            owner: owner.clone(),
+            what,
+            value,
+        }));
+    }
     required
 }
 

@@ -103,7 +103,8 @@ pub(super) fn measures(system: &System, pool: &mut Pool) -> Measures {
         false => Vec::new(),
     };
     let mut earlier: Vec<(SymbolId, ExprId)> = Vec::new();
-    for measurement in &mechanism.measurements {
+    for (place, measurement) in mechanism.measurements.iter().enumerate() {
+        let is_still = mechanism.forces.at_rest && mechanism.motors.iter().any(|it| it.has(place));
         let mut replaced = earlier.clone();
         for (mark, symbols) in &measurement.marks {
             let mark = system
@@ -118,6 +119,7 @@ pub(super) fn measures(system: &System, pool: &mut Pool) -> Measures {
                 MeasureTerm::Force(force) => {
                     force_value(*force, &columns, &mut measures, system, pool)
                 }
+                MeasureTerm::Rate(_) if is_still => pool.graph.zero(),
                 MeasureTerm::Rate(formula) => {
                     let formula = pool.graph.substitute(*formula, &replaced);
                     pool.rate(formula)
