@@ -140,6 +140,9 @@ impl<'a> Offer<'a> {
             items.extend(self.named(is_place));
             return items;
         }
+        if opening == "friction" && last == opening {
+            return self.named(|sort| sort == Sort::Joint);
+        }
         if opening == "motor" && last == opening {
             return self.named(|sort| sort == Sort::Driver);
         }

@@ -23,7 +23,7 @@ use crate::motion::{Columns, Followed, OF_POINT, RATES, Shown, Sink};
 const BYTES: u64 = 20;
 
 /// Beginnings of the names of columns after those of coordinates and points.
-const OTHERS: [&str; 7] = [
+const OTHERS: [&str; 10] = [
     "normalized_determinant_",
     "effort_",
     "power_",
@@ -31,6 +31,9 @@ const OTHERS: [&str; 7] = [
     "kinetic_energy",
     "potential_energy",
     "added_power",
+    "friction_",
+    "frictionless_power",
+    "backward_power",
 ];
 
 /// Table of a motion, written frame by frame.

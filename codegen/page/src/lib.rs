@@ -22,6 +22,7 @@ mod equations;
 mod forced;
 mod given;
 mod live;
+pub mod losses;
 pub mod measured;
 mod message;
 pub mod motion;

@@ -45,6 +45,7 @@ mod batch;
 mod emitted;
 mod explained;
 mod forces;
+mod friction;
 mod instant;
 mod interpreted;
 mod known_poses;
@@ -86,6 +87,8 @@ pub mod drawn;
 pub mod every_pose;
 #[doc(hidden)]
 pub mod first_step;
+#[doc(hidden)]
+pub mod losses;
 #[doc(hidden)]
 pub mod measure_watch;
 #[doc(hidden)]

@@ -76,6 +76,7 @@ fn declared(statements: &[Statement], names: &mut Vec<String>) {
             | Statement::Torque(_)
             | Statement::Limit(_)
             | Statement::Clearance(_)
+            | Statement::Friction(_)
             | Statement::Motor(_)
             | Statement::Units(_) => {}
             Statement::Element(it) => declarations.extend(&it.name),
@@ -144,6 +145,7 @@ impl Renaming {
                 }
                 Statement::Limit(it) => self.name(&it.measure),
                 Statement::Clearance(it) => self.name(&it.name),
+                Statement::Friction(it) => self.name(&it.joint),
                 Statement::Motor(it) => self.name(&it.driver),
                 Statement::Request(it) => {
                     self.items(&it.items);

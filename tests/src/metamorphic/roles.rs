@@ -73,6 +73,7 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             | Statement::Measure(_)
             | Statement::Limit(_)
             | Statement::Clearance(_)
+            | Statement::Friction(_)
             | Statement::Motor(_)
             | Statement::Request(_)
             | Statement::Mass(_)
@@ -342,6 +343,11 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
             Statement::Torque(torque) => visit(&torque.value, true),
             Statement::Limit(limit) => {
                 limit.ends.iter().flatten().for_each(|it| visit(it, false));
+            }
+            Statement::Friction(friction) => {
+                visit(&friction.coefficient, false);
+                let others = friction.radius.iter().chain(&friction.length);
+                others.for_each(|it| visit(it, false));
             }
             Statement::Motor(motor) => {
                 let formulas = [&motor.gear, &motor.inertia, &motor.efficiency];

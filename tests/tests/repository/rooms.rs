@@ -77,6 +77,8 @@ const SOLVER: (&str, &[&str]) = (
         "radau",
         "view",
         "approach",
+        "friction",
+        "losses",
         "motors",
         "measure_watch",
         "checked_part",

@@ -16,6 +16,7 @@
 //! | `residuals` | the largest over all frames, in SI units: `position`, `scaled`, `velocity`, `acceleration`, and `monitored` if equations are redundant |
 //! | `extremes` | of measures: `{measure, smallest: {value, t}, largest: {value, t}, rms}` each, over all frames |
 //! | `motors` | `{driver, units, torque, speed, power, rms_torque}` each, if there are any: of the largest torque, speed and power, `{t, torque, speed, power}`, over all frames |
+//! | `friction` | if joints have friction: `{efficiency, work, frictionless_work, efficiency_of_load, work_of_load, frictionless_work_of_load, lowest: {efficiency, t}, self_locking}`, work in J while drivers drive the load and while the load drives, and the first and the last time of each interval in which the load cannot drive the mechanism |
 //! | `pressure_angles` | of bodies that touch along curves: `{joint, angle, t}` each, the largest angle, in rad or the requested unit, and its time; null at rest |
 //! | `newton_steps` | total number of Newton-Raphson steps |
 //! | `simulation` | of a simulated motion: `evaluations`, `steps`, `implicit_steps` among them, `rejected`, `energy_drift` in J, and `kinetic_energy`, the largest |
@@ -35,6 +36,7 @@ use linkwright_solver::residuals::Residuals;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
+use linkwright_page::losses::{self, Friction};
 use linkwright_page::motion::{EarlyEnd, Followed, Shown, Simulated, Sink};
 use linkwright_page::motors::{Motor, objects};
 use linkwright_page::units::{ColumnUnits, UnitNames};
@@ -69,6 +71,8 @@ struct Tail<'a> {
     extremes: Vec<Extremes<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     motors: Vec<Motor<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    friction: Option<Friction>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pressure_angles: Vec<Pressure<'a>>,
     newton_steps: u64,
@@ -293,6 +297,7 @@ impl<'a> Object<'a> {
         let tail = serde_json::to_string(&Tail {
             extremes: extremes.collect(),
             motors: objects(&motion.motors, |it| motion.rms_torque(it), &units),
+            friction: losses::object(motion.losses.as_ref()),
             residuals: Largest {
                 position,
                 scaled,

@@ -4,7 +4,7 @@ use super::pieces::{Piece, What};
 use crate::syntax::KEYWORDS;
 
 /// Words between two operands.
-const CLAUSES: [&str; 17] = [
+const CLAUSES: [&str; 19] = [
     "at",
     "turned",
     "facing",
@@ -17,6 +17,8 @@ const CLAUSES: [&str; 17] = [
     "inertia",
     "gear",
     "efficiency",
+    "radius",
+    "over",
     "from",
     "to",
     "tolerance",

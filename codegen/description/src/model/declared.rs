@@ -57,6 +57,8 @@ pub(super) struct Declared<'a> {
     pub measurements: Vec<Measurement>,
     pub limits: Vec<Limit>,
     pub motors: Vec<Motor>,
+    /// True if a statement gives a joint friction.
+    pub has_friction: bool,
     /// Files that the description names.
     pub attachments: &'a [Attachment],
     suggestions: Suggestions,
@@ -87,6 +89,7 @@ impl Declared<'_> {
             measurements: Vec::new(),
             limits: Vec::new(),
             motors: Vec::new(),
+            has_friction: false,
             attachments: &[],
             suggestions: Suggestions::default(),
         };

@@ -31,6 +31,9 @@ const ORDER_OF_FORCES: usize = 3;
 /// Prefixes of the columns of requested forces.
 const COLUMNS_OF_FORCES: [&str; 3] = ["effort_", "power_", "reaction_"];
 
+/// Columns of powers in mechanisms with friction.
+const COLUMNS_OF_FRICTION: [&str; 2] = ["frictionless_power", "backward_power"];
+
 /// Columns of the time and of requested energies.
 const FIXED_COLUMNS: [&str; 4] = ["t", "kinetic_energy", "potential_energy", "added_power"];
 
@@ -117,6 +120,9 @@ impl Resolver<'_> {
     /// Reports measures whose names are those of other columns, or differ only in case.
     pub(super) fn reject_columns(&mut self, points: &[Point]) {
         let mut columns: HashSet<String> = FIXED_COLUMNS.map(str::to_string).into();
+        if self.declared.has_friction {
+            columns.extend(COLUMNS_OF_FRICTION.map(str::to_string));
+        }
         let coordinates = self.linkage.bodies.iter().flat_map(|it| it.coordinates);
         for symbol in coordinates.flatten().map(|it| it.symbol) {
             let name = self.graph.symbol_name(symbol);
@@ -130,7 +136,8 @@ impl Resolver<'_> {
         let measures = self.declared.measurements.iter();
         let names: Vec<(String, Span)> = measures.map(|it| (it.name.clone(), it.span)).collect();
         for (name, span) in names {
-            let is_force = COLUMNS_OF_FORCES.iter().any(|it| name.starts_with(it));
+            let is_force = COLUMNS_OF_FORCES.iter().any(|it| name.starts_with(it))
+                || (self.declared.has_friction && name.starts_with("friction_"));
             if is_force || columns.contains(&name) {
                 let message = format!("`{name}` is another column in tables of frames");
                 let mut motors = self.declared.motors.iter();

@@ -35,6 +35,12 @@ const SUFFIXES: [&str; 3] = ["_motor_torque", "_motor_speed", "_motor_power"];
 /// Quantities of motors, for documentation.
 const QUANTITIES: [&str; 3] = ["Torque", "Speed", "Power"];
 
+/// Name of the ratio of a gear, and help for one that is not positive.
+const GEAR: [&str; 2] = [
+    "the ratio of a gear",
+    "check the sign; a shaft turns forward as its driver does",
+];
+
 /// Values of the clauses of a motor, or their defaults.
 struct Clauses {
     gear: ExprId,
@@ -101,7 +107,7 @@ impl Resolver<'_> {
         let gear = match &written.gear {
             Some(gear) => {
                 let value = self.constant(gear, expected);
-                value.filter(|&value| self.is_above_zero(value, gear, "the ratio of a gear"))
+                value.filter(|&value| self.is_above_zero(value, gear, GEAR))
             }
             None if is_angle => Some(one),
             None => {
@@ -137,14 +143,18 @@ impl Resolver<'_> {
     }
 
     /// True if a value is positive at the defaults of the parameters; otherwise reports an error.
-    fn is_above_zero(&mut self, value: ExprId, written: &Expression, what: &str) -> bool {
+    pub(super) fn is_above_zero(
+        &mut self,
+        value: ExprId,
+        written: &Expression,
+        [what, help]: [&str; 2],
+    ) -> bool {
         let value = self.graph.constant_value(value);
         let is_possible = value.is_none_or(|it| it > 0.0);
         if !is_possible {
             let message = format!("{what} must be positive");
-            let finding = Diagnostic::error(Code::ValueNotAllowed, written.span, message)
-                .help("check the sign; a shaft turns forward as its driver does");
-            self.diagnostics.push(finding);
+            let finding = Diagnostic::error(Code::ValueNotAllowed, written.span, message);
+            self.diagnostics.push(finding.help(help));
         }
         is_possible
     }

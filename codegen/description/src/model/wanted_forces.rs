@@ -9,6 +9,9 @@ use super::{ForceTerm, Role};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::syntax::{Name, RequestKind, Statement};
 
+/// Word of the statements that resist drivers in joints.
+const FRICTION: &str = "friction";
+
 /// Word of the statements that measure the forces of drivers at motors.
 const MOTOR: &str = "motor";
 
@@ -17,6 +20,7 @@ impl Resolver<'_> {
     pub(super) fn wanted_forces(&mut self, statements: &[&Statement]) -> Forces {
         let mut forces = std::mem::take(&mut self.forces);
         forces.teeth = self.teeth();
+        forces.frictions = self.frictions(statements, &forces);
         if let Some((gravity, span)) = self.gravity {
             if forces.masses.is_empty() && !self.diagnostics.has_errors() {
                 self.diagnostics.push(
@@ -29,7 +33,8 @@ impl Resolver<'_> {
         }
         let measures = |is: fn(&ForceTerm) -> bool| self.measured_forces().any(|it| is(&it.0));
         let of_driver = measures(|it| matches!(it, ForceTerm::Effort(_) | ForceTerm::Power(_)));
-        forces.efforts = of_driver || self.has(RequestKind::Effort, statements);
+        let resists = !forces.frictions.is_empty();
+        forces.efforts = of_driver || resists || self.has(RequestKind::Effort, statements);
         forces.energy = self.has(RequestKind::Energy, statements);
         let every = self.has(RequestKind::Reactions, statements);
         forces.reactions = self.reactions(statements, every);
@@ -44,6 +49,8 @@ impl Resolver<'_> {
             };
             (word, span)
         }));
+        let frictions = forces.frictions.iter();
+        requests.extend(frictions.map(|it| (FRICTION, it.span)));
         if let Some((word, span)) = requests.first() {
             let word = *word;
             let acts = !forces.masses.is_empty() || !forces.loads.is_empty();
@@ -78,7 +85,7 @@ impl Resolver<'_> {
                 .help(format!("give the bodies a mass: `mass {body} = 2kg;`")),
             );
         }
-        let is_of_driver = |word: &str| matches!(word, "effort" | MOTOR);
+        let is_of_driver = |word: &str| matches!(word, "effort" | MOTOR | FRICTION);
         if let Some((_, span)) = requests.iter().find(|(word, _)| is_of_driver(word)) {
             self.require_drivers(*span, "has no effort along it", "`effort`");
         }

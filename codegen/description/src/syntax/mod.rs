@@ -21,6 +21,7 @@ mod expression;
 mod files;
 mod forces;
 mod formula;
+mod friction;
 mod indexed;
 mod limit;
 mod literal;
@@ -51,6 +52,7 @@ pub use files::named_files;
 pub(crate) use files::{is_relative, leaves_folder};
 pub use forces::{Center, Element, ElementKind, Force, Gravity, Mass, Torque};
 pub use formula::*;
+pub use friction::Friction;
 pub use limit::Limit;
 pub use motor::Motor;
 pub use output::LEVELS;
@@ -72,7 +74,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const MAX_DEPTH: usize = 128;
 
 /// Words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 36] = [
+pub const KEYWORDS: [&str; 37] = [
     "const",
     "param",
     "input",
@@ -104,6 +106,7 @@ pub const KEYWORDS: [&str; 36] = [
     "measure",
     "limit",
     "clearance",
+    "friction",
     "motor",
     "units",
     "motion",
@@ -118,7 +121,7 @@ pub const BUILT_IN: &[&str] = &["t", "pi"];
 pub const AXES: [&str; 3] = ["x", "y", "phi"];
 
 /// Words within statements; each is special only in its position.
-pub const CLAUSES: [&str; 23] = [
+pub const CLAUSES: [&str; 25] = [
     "at",
     "turned",
     "facing",
@@ -131,6 +134,8 @@ pub const CLAUSES: [&str; 23] = [
     "inertia",
     "gear",
     "efficiency",
+    "radius",
+    "over",
     "from",
     "to",
     "tolerance",

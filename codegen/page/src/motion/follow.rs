@@ -200,6 +200,9 @@ impl<V: View> Followed<V> {
         self.motors
             .iter_mut()
             .for_each(|it| it.see(instant.t(), measured));
+        if let (Some(losses), Some(reported)) = (&mut self.losses, &reported) {
+            losses.see(instant.t(), reported);
+        }
         let pressures = self.reported_names.iter().zip(reported.iter().flatten());
         for (pulls, ((name, _), force)) in self.pulls.iter_mut().zip(pressures) {
             if name.ends_with("_pressure") && *force < 0.0 {

@@ -4,6 +4,7 @@ use linkwright::Failure;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::condition::Condition;
 use linkwright_solver::condition::{dimensionless, jacobian};
+use linkwright_solver::losses::Losses;
 use linkwright_solver::measures::{MeasuredPart, Measures};
 use linkwright_solver::motors::MotorPeaks;
 use linkwright_solver::pressure::PressureCheck;
@@ -84,6 +85,8 @@ pub struct Followed<V: View> {
     pub squares: Vec<MeanSquare>,
     /// Worst points of motors.
     pub motors: Vec<MotorPeaks>,
+    /// Losses by friction; `None` without friction.
+    pub losses: Option<Losses>,
     /// First time (s) at which bodies that press on one another would have to pull, by index of the force; `None` if there is none.
     pub pulls: Vec<Option<f64>>,
     /// Names of the measures; empty unless they are requested.
@@ -159,6 +162,7 @@ impl<V: View> Followed<V> {
             extremes: vec![NO_EXTREMES; reported_names.len()],
             squares: vec![MeanSquare::default(); reported_names.len()],
             motors: MotorPeaks::of(&system.mechanism),
+            losses: Losses::of(view.pool(), system),
             pulls: vec![None; reported_names.len()],
             reported_names,
             measure_names: monitored.map(name).collect(),
@@ -208,6 +212,7 @@ impl<V: View> Followed<V> {
             extremes: self.extremes,
             squares: self.squares,
             motors: self.motors,
+            losses: self.losses,
             pulls: self.pulls,
             measure_names: self.measure_names,
             smallest_measure: self.smallest_measure,

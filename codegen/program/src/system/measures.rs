@@ -61,10 +61,16 @@ pub enum ForceColumn {
     PotentialEnergy,
     /// Power of dampers, forces and torques.
     AddedPower,
+    /// Friction on the second body of a joint: an index into the mechanism's joints.
+    Friction(usize),
+    /// Power of all drivers without friction.
+    FrictionlessPower,
+    /// Power of all drivers with the friction of the motion in reverse.
+    BackwardPower,
 }
 
 impl System {
-    /// Returns the columns of requested forces: efforts with powers, then reactions, then energies.
+    /// Returns the columns of requested forces: efforts with powers, then reactions, then energies, then friction.
     pub fn force_columns(&self, pool: &mut Pool) -> Vec<ForceColumn> {
         let requests = &self.mechanism.forces;
         let mut columns = Vec::new();
@@ -87,6 +93,11 @@ impl System {
                 ForceColumn::PotentialEnergy,
                 ForceColumn::AddedPower,
             ]);
+        }
+        if !requests.frictions.is_empty() {
+            let frictions = requests.frictions.iter();
+            columns.extend(frictions.map(|it| ForceColumn::Friction(it.joint)));
+            columns.extend([ForceColumn::FrictionlessPower, ForceColumn::BackwardPower]);
         }
         columns
     }

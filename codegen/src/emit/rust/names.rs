@@ -103,6 +103,7 @@ const ITEMS: &[&str] = &[
     "largest_length",
     "singular_divisor",
     "multipliers",
+    "friction",
     "drawn",
     "describe",
     "monitored",

@@ -40,6 +40,9 @@ pub const WIDENED: usize = 8;
 const OF_CELL: [usize; 3] = [240, 280, 16];
 const OF_CELL_IN_ROUND: usize = 32;
 
+/// Largest number of steps that solve for the forces of friction.
+pub const FRICTION_STEPS: usize = 32;
+
 /// Poses of one path about a dead center: eight on both sides, the nearest one, and three modes there.
 const PATH_POSES: usize = 8 + 1 + 3;
 
@@ -113,6 +116,9 @@ impl Work {
             if let Statement::Multipliers { forces, .. } = statement {
                 attempt += elimination(forces.len());
                 attempt += substitution(forces.len());
+            }
+            if let Statement::Friction { coefficients, .. } = statement {
+                attempt += of_friction(coefficients.len()).times(FRICTION_STEPS);
             }
         }
         let mut recover = attempt;
@@ -245,6 +251,17 @@ impl Looks {
             }
         }
     }
+}
+
+/// Returns the operations of one step that solves for the forces of friction in so many joints.
+fn of_friction(joints: usize) -> Operations {
+    // Two components and their derivatives for each pair of joints.
+    let mut step = products(joints, 4);
+    step += elimination(joints);
+    step += substitution(joints);
+    step.divisions += 2 * joints;
+    step.square_roots += joints;
+    step
 }
 
 /// Returns the operations of the path verification of a chain with so many unknowns.
