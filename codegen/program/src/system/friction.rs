@@ -1,14 +1,14 @@
 //! States what friction does in joints: the load of a unit, the rate of sliding, and the coefficient of a reaction.
 
 use super::System;
-use crate::expr::{ExprId, Graph};
+use crate::expr::{ExprId, Graph, Number, Rational};
 use crate::force::moment;
 use crate::joint::geometry::{BodyId, Mark, Vector, dot, perpendicular, subtract};
 use crate::model::{Friction, Surfaces};
 use crate::pool::Pool;
 
 /// Reciprocal of the largest rate of sliding that is rounding, relative to the rates of both bodies.
-const AT_REST: i64 = 1_000_000_000_000;
+const AT_REST: i128 = 1 << 40;
 
 /// Friction in a joint, on its second body: a moment in a pin, a force along a slide.
 #[derive(Clone, Debug)]
@@ -138,7 +138,7 @@ impl System {
     /// Returns the sum of the magnitudes of the rates of both bodies, as an angular rate for a pin and as a velocity for a slide.
     fn scale_of(&self, rates: &[Rates; 2], is_pin: bool, graph: &mut Graph) -> ExprId {
         let length = self.mechanism.characteristic_length;
-        let length = crate::expr::Number::parse(&format!("{length:e}"));
+        let length = Number::parse(&format!("{length:e}"));
         let length = length.map_or(graph.one(), |it| graph.number(it));
         let magnitudes = |values: Vec<ExprId>, graph: &mut Graph| {
             let magnitudes = values.into_iter().map(|it| graph.magnitude(it));
@@ -175,8 +175,8 @@ fn sign(rate: ExprId, scale: ExprId, graph: &mut Graph) -> ExprId {
     if rate == zero {
         return zero;
     }
-    let rounding = graph.rational(1, AT_REST);
-    let rounding = graph.multiply(rounding, scale);
+    let rounding = Rational::new(1, AT_REST).unwrap_or(Rational::ONE);
+    let rounding = graph.scale(Number::rational(rounding), scale);
     let backward = graph.add(rate, rounding);
     let at_most = graph.subtract(rounding, rate);
     let minus = graph.negate(one);

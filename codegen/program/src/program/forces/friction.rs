@@ -152,7 +152,7 @@ fn forces(
         }
     }
     builder.say(|_| {
-        "The second body of each joint slides at a rate. What is below 1e-12 of the rates of both bodies is rounding, and does not slide:".into()
+        "The second body of each joint slides at a rate. A rate that is rounding of the rates of both bodies does not slide:".into()
     });
     let coefficients: Vec<ExprId> = resisting
         .iter()
