@@ -55,16 +55,17 @@ impl DenseFriction {
         self.joints.iter().map(|it| it.joint)
     }
 
-    /// Returns the evaluated expressions: of each joint the coefficient, the rate of sliding, the length of a slide, and the load of a
-    /// unit of friction on all coordinates.
+    /// Returns the evaluated expressions: of each joint the coefficient, the velocity of sliding, the friction on its second body to 1 N,
+    /// the length of a slide, and the load of 1 N on all coordinates.
     pub fn roots(&self, pool: &mut Pool, system: &System) -> Vec<ExprId> {
         let mut roots = Vec::new();
         for (own, friction) in self.joints.iter().zip(&system.mechanism.forces.frictions) {
             let zero = pool.graph.zero();
             let mut load = vec![zero; self.coordinates];
-            let (mut coefficient, mut rate) = (zero, zero);
+            let [mut coefficient, mut rate, mut lever] = [zero; 3];
             if let Some(resisting) = system.resisting(friction, pool) {
-                (coefficient, rate) = (resisting.coefficient(&mut pool.graph), resisting.rate);
+                coefficient = resisting.coefficient(&mut pool.graph);
+                (rate, lever) = (resisting.rate, resisting.lever);
                 for (coordinate, value) in resisting.load {
                     load[coordinate] = pool.graph.add(load[coordinate], value);
                 }
@@ -73,7 +74,7 @@ impl DenseFriction {
                 Surfaces::Slide(Some(length)) => length,
                 _ => pool.graph.one(),
             };
-            roots.extend([coefficient, rate, length]);
+            roots.extend([coefficient, rate, lever, length]);
             roots.extend(load);
         }
         roots
@@ -91,13 +92,14 @@ impl DenseFriction {
         components: &[usize],
     ) -> Option<Settled> {
         let without = linear(alone);
-        let (mut coefficients, mut rates, mut lengths) = (Vec::new(), Vec::new(), Vec::new());
+        let [mut coefficients, mut rates, mut levers, mut lengths] = [const { Vec::new() }; 4];
         let mut units = Vec::with_capacity(self.joints.len());
-        for own in values.chunks_exact(3 + self.coordinates) {
+        for own in values.chunks_exact(4 + self.coordinates) {
             coefficients.push(own[0]);
             rates.push(own[1]);
-            lengths.push(own[2]);
-            let mut unit = DVector::from_column_slice(&own[3..]);
+            levers.push(own[2]);
+            lengths.push(own[3]);
+            let mut unit = DVector::from_column_slice(&own[4..]);
             multipliers::solve(jacobian, &mut unit).ok()?;
             units.push(linear(&unit));
         }
@@ -132,7 +134,11 @@ impl DenseFriction {
         Some(Settled {
             columns,
             power: powers.map(|(force, rate)| force * rate).sum(),
-            forces: forward.as_slice().to_vec(),
+            forces: forward
+                .iter()
+                .zip(&levers)
+                .map(|(it, lever)| it * lever)
+                .collect(),
         })
     }
 }

@@ -64,6 +64,10 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             Statement::Equation(equation) => of_equation(equation, visit),
             Statement::Curve(curve) => of_curve(curve, visit),
             Statement::Motion(motion) => statements(&motion.statements, visit),
+            Statement::Friction(friction) => {
+                let lengths = friction.radius.iter().chain(&friction.length);
+                lengths.for_each(|it| visit(Given::Length(it)));
+            }
             Statement::Constant(_)
             | Statement::Given(_)
             | Statement::Angle(_)
@@ -73,7 +77,6 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             | Statement::Measure(_)
             | Statement::Limit(_)
             | Statement::Clearance(_)
-            | Statement::Friction(_)
             | Statement::Motor(_)
             | Statement::Request(_)
             | Statement::Mass(_)

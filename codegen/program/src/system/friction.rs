@@ -10,21 +10,23 @@ use crate::pool::Pool;
 /// Reciprocal of the largest rate of sliding that is rounding, relative to the rates of both bodies.
 const AT_REST: i128 = 1 << 40;
 
-/// Friction in a joint, on its second body: a moment in a pin, a force along a slide.
+/// Friction in a joint, on its second body: a force on the surface of a pin, or along a slide.
 #[derive(Clone, Debug)]
 pub struct Resisting {
-    /// Generalized forces of a unit of friction, by coordinate.
+    /// Generalized forces of 1 N of friction, by coordinate.
     pub load: Vec<(usize, ExprId)>,
-    /// Rate at which the second body slides on the first, in rad/s or m/s.
+    /// Friction on the second body of 1 N: the radius of a pin, and 1 of a slide.
+    pub lever: ExprId,
+    /// Velocity with which the surface of the second body slides on the first, in m/s.
     pub rate: ExprId,
-    /// Sum of the magnitudes of the rates of both bodies, in the same unit.
+    /// Sum of the magnitudes of the velocities of both bodies, in m/s.
     pub scale: ExprId,
-    /// Largest friction over the magnitude of the reaction, which is in N: a length of a pin, and a number of a slide.
+    /// Coefficient of friction.
     pub factor: ExprId,
 }
 
 impl Resisting {
-    /// Returns the friction over the magnitude of the reaction, with the sign of what resists sliding. Zero without sliding.
+    /// Returns the coefficient of friction with the sign of what resists sliding. Zero without sliding.
     pub fn coefficient(&self, graph: &mut Graph) -> ExprId {
         let sliding = sign(self.rate, self.scale, graph);
         let resisting = graph.multiply(sliding, self.factor);
@@ -54,17 +56,21 @@ impl System {
                 _ => return None,
             },
         };
+        let lever = match friction.surfaces {
+            Surfaces::Pin(radius) => radius,
+            Surfaces::Slide(_) => graph.one(),
+        };
         let [before, after] = [first, second].map(|mark| self.rates_of(mark.frame.body, graph));
         let (load, rate) = match direction {
             None => (
-                self.turning([first, second], graph),
+                self.turning([first, second], lever, graph),
                 graph.subtract(after.angle, before.angle),
             ),
             Some(direction) => {
                 let place = second.position(graph);
-                let lever = subtract(place, first.frame.origin, graph);
-                let load = self.sliding([first, second], lever, direction, graph);
-                let [on_second, on_first] = [(&after, second.arm), (&before, lever)]
+                let arm = subtract(place, first.frame.origin, graph);
+                let load = self.sliding([first, second], arm, direction, graph);
+                let [on_second, on_first] = [(&after, second.arm), (&before, arm)]
                     .map(|(rates, arm)| velocity(rates, arm, graph));
                 let relative = subtract(on_second, on_first, graph);
                 (load, dot(direction, relative, graph))
@@ -75,15 +81,13 @@ impl System {
             false => rate,
         };
         let scale = self.scale_of(&[before, after], friction.is_pin(), graph);
-        let mut factor = friction.coefficient;
-        if let Surfaces::Pin(radius) = friction.surfaces {
-            factor = graph.multiply(factor, radius);
-        }
+        let [rate, scale] = [rate, scale].map(|it| graph.multiply(lever, it));
         Some(Resisting {
             load,
+            lever,
             rate,
             scale,
-            factor,
+            factor: friction.coefficient,
         })
     }
 
@@ -100,10 +104,9 @@ impl System {
         }
     }
 
-    /// Returns the load of a unit moment on the second body, and of its opposite on the first.
-    fn turning(&self, marks: [Mark; 2], graph: &mut Graph) -> Vec<(usize, ExprId)> {
-        let one = graph.one();
-        let moments = [graph.negate(one), one];
+    /// Returns the load of a moment on the second body, and of its opposite on the first.
+    fn turning(&self, marks: [Mark; 2], moment: ExprId, graph: &mut Graph) -> Vec<(usize, ExprId)> {
+        let moments = [graph.negate(moment), moment];
         let coordinates = marks.map(|it| self.mechanism.bodies[it.frame.body.0].coordinates[2]);
         let pairs = coordinates.into_iter().zip(moments);
         pairs
@@ -111,18 +114,18 @@ impl System {
             .collect()
     }
 
-    /// Returns the load of a unit force along a line on the second body, and of its opposite on the first, which acts at `lever` from
+    /// Returns the load of a unit force along a line on the second body, and of its opposite on the first, which acts at `arm` from
     /// its origin.
     fn sliding(
         &self,
         [first, second]: [Mark; 2],
-        lever: Vector,
+        arm: Vector,
         direction: Vector,
         graph: &mut Graph,
     ) -> Vec<(usize, ExprId)> {
         let opposite = direction.map(|part| graph.negate(part));
         let ends = [
-            (first.frame.body, lever, opposite),
+            (first.frame.body, arm, opposite),
             (second.frame.body, second.arm, direction),
         ];
         let mut load = Vec::new();

@@ -22,8 +22,10 @@ pub(super) struct Resisted {
     pub superposed: Superposed,
     /// Friction of each joint in the order of the statements, with that of the motion in reverse.
     forces: Vec<[ExprId; 2]>,
-    /// Rates of sliding, in the same order.
+    /// Velocities of sliding, in the same order.
     rates: Vec<ExprId>,
+    /// Friction on the second body of each joint to 1 N, in the same order.
+    levers: Vec<ExprId>,
 }
 
 impl Resisted {
@@ -48,10 +50,7 @@ impl Resisted {
         for (friction, resisting) in &resisting {
             let joint = &builder.system.mechanism.joints[friction.joint];
             let (label, prefix) = (joint.label.clone(), format!("unit_{}_", joint.slug));
-            let what = if friction.is_pin() { "moment" } else { "force" };
-            builder.say(|_| {
-                format!("A unit {what} of friction in {label} is balanced by these:").into()
-            });
+            builder.say(|_| format!("A unit of friction in {label} is balanced by these:").into());
             let zero = builder.graph().zero();
             let mut load = vec![zero; builder.system.vector_form.unknowns.len()];
             for &(coordinate, value) in &resisting.load {
@@ -72,17 +71,19 @@ impl Resisted {
             superposed,
             forces,
             rates: resisting.iter().map(|(_, it)| it.rate).collect(),
+            levers: resisting.iter().map(|(_, it)| it.lever).collect(),
         }
     }
 
     /// Assigns the fields of friction: of each joint, and of the powers of all drivers without friction and in reverse.
     pub fn fields(&self, carried: &Carried, builder: &mut Builder<'_>) -> Resistance {
         let frictions = builder.system.mechanism.forces.frictions.clone();
-        let joints = frictions.iter().zip(&self.forces);
-        let joints = joints.map(|(friction, [forward, _])| {
+        let joints = frictions.iter().zip(&self.forces).zip(&self.levers);
+        let joints = joints.map(|((friction, [forward, _]), lever)| {
             let slug = &builder.system.mechanism.joints[friction.joint].slug;
             let target = builder.pool.intermediate(&format!("friction_{slug}"));
-            builder.assign(target, *forward);
+            let on_body = builder.graph().multiply(*lever, *forward);
+            builder.assign(target, on_body);
             (friction.joint, target)
         });
         let joints = joints.collect();
