@@ -141,7 +141,8 @@ impl<'a> Offer<'a> {
             return items;
         }
         if opening == "friction" && last == opening {
-            return self.named(|sort| sort == Sort::Joint);
+            // A pin may have the name of its point.
+            return self.named(|sort| matches!(sort, Sort::Joint | Sort::Point | Sort::BodyPoint));
         }
         if opening == "motor" && last == opening {
             return self.named(|sort| sort == Sort::Driver);

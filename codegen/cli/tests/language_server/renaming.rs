@@ -178,3 +178,22 @@ fn measures_of_a_motor_are_renamed_with_its_driver() {
     }
     client.finish();
 }
+
+#[test]
+fn friction_is_renamed_with_its_joint() {
+    let text = "mechanism hoist {
+    point O = (0, 0);
+    body arm at O { O, S: (20cm, 0) }
+    revolute O(ground, arm);
+    drive crank: phi(arm) = t;
+    mass arm = 3kg at S;
+    friction O = 0.1 radius 5mm;
+}
+";
+    let mut client = opened(text);
+    for part in ["O = (0", "O(ground", "O = 0.1"] {
+        let expected = text.replace('O', "pin");
+        assert_eq!(renamed(&mut client, text, part, "pin"), Ok(expected));
+    }
+    client.finish();
+}
