@@ -86,8 +86,8 @@ impl Resolver<'_> {
             );
         }
         let is_of_driver = |word: &str| matches!(word, "effort" | MOTOR | FRICTION);
-        if let Some((_, span)) = requests.iter().find(|(word, _)| is_of_driver(word)) {
-            self.require_drivers(*span, "has no effort along it", "`effort`");
+        if let Some((word, span)) = requests.iter().find(|(word, _)| is_of_driver(word)) {
+            self.require_drivers(*span, "has no effort along it", &format!("`{word}`"));
         }
         let reaction = requests
             .iter()

@@ -134,6 +134,8 @@ const PREFIXES: &[&str] = &[
 /// Arguments and local values of generated functions, whose names no value of a description gets.
 const LOCAL_VALUES: &[&str] = &[
     "balance",
+    "resisting",
+    "unsettled",
     "singular",
     "failed",
     "lanes",

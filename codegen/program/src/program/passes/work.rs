@@ -80,6 +80,8 @@ pub struct Work {
     pub recover: Operations,
     /// True if a block is iterated.
     pub is_iterated: bool,
+    /// True if the forces of friction are iterated.
+    pub has_friction: bool,
     /// Number of blocks that may cross in one instant.
     pub crossing: usize,
     /// Work of the path verification; `None` if the path is not guarded.
@@ -110,7 +112,8 @@ impl Work {
         }
         let iterated: Vec<&NewtonBlock> =
             blocks.iter().filter_map(|it| it.newton.as_ref()).collect();
-        // Multipliers of subsystems without a closed form.
+        let mut has_friction = false;
+        // Multipliers of subsystems without a closed form, and friction.
         let statements = blocks.iter().flat_map(|it| &it.function.statements);
         for statement in statements {
             if let Statement::Multipliers { forces, .. } = statement {
@@ -119,6 +122,7 @@ impl Work {
             }
             if let Statement::Friction { coefficients, .. } = statement {
                 attempt += of_friction(coefficients.len()).times(FRICTION_STEPS);
+                has_friction = true;
             }
         }
         let mut recover = attempt;
@@ -130,6 +134,7 @@ impl Work {
             attempt,
             recover,
             is_iterated: !iterated.is_empty(),
+            has_friction,
             crossing: blocks.len().min(BLOCKS),
             window: path.map(|path| {
                 let mut window = Looks::default();
