@@ -75,7 +75,8 @@ fn joints_without_a_coefficient_are_without_friction() {
 fn a_ladder_jams_at_the_angle_of_friction() {
     let derived = description::system("jamming_ladder");
     let view = Interpreted::new(&derived).expect("a motion");
-    let (columns, failure) = followed(&view, None, 1.0);
+    let parameters = Numbers(vec![0.8, 1.0]);
+    let (columns, failure) = followed(&view, Some(parameters), 1.0);
     let failure = failure.expect("it jams");
     assert!(
         matches!(failure.kind, FailureKind::FrictionUnsettled { .. }),
