@@ -36,7 +36,7 @@ struct Lowest {
 
 /// Returns the losses for JSON; `None` without friction.
 pub fn object(losses: Option<&Losses>) -> Option<Friction> {
-    let losses = losses?;
+    let losses = losses.filter(|it| !it.is_empty())?;
     let [work, frictionless_work] = losses.driving;
     let [work_of_load, frictionless_work_of_load] = losses.driven;
     Some(Friction {
@@ -59,7 +59,7 @@ pub fn object(losses: Option<&Losses>) -> Option<Friction> {
 /// # Errors
 /// Errors of `output`.
 pub fn write(losses: Option<&Losses>, output: &mut dyn Write) -> io::Result<()> {
-    let Some(losses) = losses else {
+    let Some(losses) = losses.filter(|it| !it.is_empty()) else {
         return Ok(());
     };
     writeln!(output, "\nfriction")?;

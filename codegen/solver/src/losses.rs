@@ -34,6 +34,8 @@ pub struct Losses {
     /// Beginning of an interval that has not ended.
     since: Option<f64>,
     last: Option<Powers>,
+    /// Number of instants.
+    count: usize,
 }
 
 /// Powers at a time.
@@ -66,6 +68,7 @@ impl Losses {
             locked: Vec::new(),
             since: None,
             last: None,
+            count: 0,
         })
     }
 
@@ -79,8 +82,12 @@ impl Losses {
             backward: value(&self.others[1]),
         };
         if !(now.with_friction + now.frictionless + now.backward).is_finite() {
+            // Nothing is known until the next instant with forces.
+            self.locked = self.locked();
+            (self.since, self.last) = (None, None);
             return;
         }
+        self.count += 1;
         if now.frictionless > 0.0 {
             let efficiency = now.frictionless / now.with_friction;
             if self.lowest.is_none_or(|it| efficiency < it.efficiency) {
@@ -106,6 +113,11 @@ impl Losses {
             }
         }
         self.last = Some(now);
+    }
+
+    /// True before the first instant.
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
     }
 
     /// Returns the intervals in which the load cannot drive the mechanism, the last of them up to the last instant.

@@ -101,8 +101,8 @@ pub struct Followed<V: View> {
     pub failure: Option<EarlyEnd>,
     /// Cost of the integration; `None` if drivers determine the motion.
     pub simulated: Option<Simulated>,
-    /// First load that is not finite, and its time (s).
-    pub(super) infinite_load: Option<(String, f64)>,
+    /// Reason of the first forces that are not finite, and their time (s).
+    pub(super) no_forces: Option<(String, f64)>,
     /// Last requested instant.
     pub(super) last: Option<Instant>,
     pub(super) moved: Option<Moved<V>>,
@@ -169,7 +169,7 @@ impl<V: View> Followed<V> {
             smallest_measure: None,
             warnings: Vec::new(),
             simulated: None,
-            infinite_load: None,
+            no_forces: None,
             last: None,
             measures,
             failure: refused.as_ref().map(|it| EarlyEnd::from(&it.failure)),
@@ -220,7 +220,7 @@ impl<V: View> Followed<V> {
             error: self.error,
             failure: self.failure,
             simulated: self.simulated,
-            infinite_load: self.infinite_load,
+            no_forces: self.no_forces,
             last: self.last,
             moved: None,
             measures: view.measures(),
