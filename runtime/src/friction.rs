@@ -195,6 +195,17 @@ mod tests {
     }
 
     #[test]
+    fn single_precision_settles_to_its_rounding() {
+        let settled = friction(1, [0.2_f32], [[3.0, 4.0]], [[[1.5, -0.5]]], 0.0, 0);
+        let [force] = settled.expect("it settles");
+        let expected = 0.2 * f32::hypot(3.0 + 1.5 * force, 4.0 - 0.5 * force);
+        assert!((force - expected).abs() < 4.0 * f32::EPSILON, "{force}");
+        let jammed = friction(0, [0.5_f32], [[5.0, 0.0]], [[[3.0, 0.0]]], 0.0, 0);
+        let kind = jammed.map_err(|it| it.kind);
+        assert!(matches!(kind, Err(FailureKind::FrictionUnsettled { .. })));
+    }
+
+    #[test]
     fn pins_that_load_one_another_balance() {
         let (coefficients, alone) = ([0.1, -0.2], [[3.0, 4.0], [-1.0, 2.0]]);
         let units = [[[0.5, -1.0], [1.5, 0.5]], [[-2.0, 1.0], [0.5, 0.25]]];
