@@ -109,6 +109,14 @@ fn reported(program: &Program, mechanism: &Mechanism) -> Vec<String> {
         let names = ["kinetic_energy", "potential_energy", "added_power"];
         values.extend(names.map(|it| format!("vec![it.{it}()]")));
     }
+    for (joint, _) in forces.resistance.iter().flat_map(|it| &it.joints) {
+        let slug = &mechanism.joints[*joint].slug;
+        values.push(format!("vec![it.friction_{slug}()]"));
+    }
+    if forces.resistance.is_some() {
+        let names = ["frictionless_power", "backward_power"];
+        values.extend(names.map(|it| format!("vec![it.{it}()]")));
+    }
     let measurements = 0..mechanism.measurements.len();
     values.extend(measurements.map(|place| {
         let mut measures = program.measures.iter();

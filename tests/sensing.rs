@@ -25,13 +25,13 @@ pub fn write(folder: &str) {
             continue;
         }
         // Parameters of forces alone move nothing.
-        let moves = mechanism.parameters.iter().any(|parameter| {
-            let rows = described.derived.system.rows.iter();
-            let mut symbols =
-                rows.flat_map(|row| described.derived.pool.graph.symbols(row.residual).to_vec());
-            symbols.any(|symbol| symbol == parameter.symbol)
-        });
-        if !moves {
+        let graph = &described.derived.pool.graph;
+        let rows = described.derived.system.rows.iter();
+        let local = mechanism.points.iter().flat_map(|it| it.mark.local);
+        let moving = rows.map(|row| row.residual).chain(local);
+        let moving: Vec<_> = moving.flat_map(|it| graph.symbols(it).to_vec()).collect();
+        let mut parameters = mechanism.parameters.iter();
+        if !parameters.all(|it| moving.contains(&it.symbol)) {
             continue;
         }
         let name = &mechanism.name;

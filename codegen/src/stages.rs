@@ -26,8 +26,8 @@ pub mod model {
     #[doc(inline)]
     pub use crate::model::{
         Body, Clearance, Dimension, Distribution, ENDS_OF_TABLES, FUNCTIONS, Joint, LAWS, Limit,
-        MEASURE_FUNCTIONS, Measurement, Mechanism, Mention, Parameter, Requested, Role,
-        follow_points, range_text, set, si_unit, unit, value_text,
+        MEASURE_FUNCTIONS, Measurement, Mechanism, Mention, Motor, Parameter, Requested, Role,
+        Surfaces, follow_points, range_text, set, si_unit, unit, value_text,
     };
     #[doc(inline)]
     pub use crate::read::mentions;

@@ -91,6 +91,11 @@ pub enum FailureKind<T = f64> {
         /// Value of the parameter or the input.
         value: T,
     },
+    /// The forces of friction in joints do not settle: the reactions grow with the friction that they cause, as in a mechanism that jams.
+    FrictionUnsettled {
+        /// Change in the last step, relative to the largest force.
+        change: T,
+    },
     /// An input (see [`Failure::input`]), a time, a pose, a residual, an entry of the Jacobian, a velocity or an
     /// acceleration is infinite or NaN; or a scale of the equations is not a positive finite number.
     NotFinite,
@@ -138,6 +143,9 @@ impl<T> FailureKind<T> {
             ],
             Self::NotPositive { .. } => ["not_positive", "a parameter is not positive"],
             Self::OutsideRange { .. } => ["outside_range", "a value is outside of its range"],
+            Self::FrictionUnsettled { .. } => {
+                ["friction_unsettled", "the forces of friction do not settle"]
+            }
             Self::NotFinite => ["not_finite", "a number is not finite"],
             Self::LoadNotFinite { .. } => ["load_not_finite", "a load is not finite"],
         }
@@ -153,7 +161,10 @@ impl<T> FailureKind<T> {
     pub(crate) fn refuses_number(&self) -> bool {
         matches!(
             self,
-            Self::NotPositive { .. } | Self::NotFinite | Self::LoadNotFinite { .. }
+            Self::NotPositive { .. }
+                | Self::NotFinite
+                | Self::LoadNotFinite { .. }
+                | Self::FrictionUnsettled { .. }
         )
     }
 }
@@ -216,6 +227,10 @@ impl<T: Real> fmt::Display for Failure<T> {
             }
             FailureKind::LoadNotFinite { load } => {
                 write!(formatter, "not finite: load {load}")?;
+                None
+            }
+            FailureKind::FrictionUnsettled { change } => {
+                write!(formatter, "friction does not settle: change {change:.1e}")?;
                 None
             }
             FailureKind::Diverged => Some("diverged"),

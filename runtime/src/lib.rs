@@ -75,6 +75,7 @@ mod equations;
 mod factored_inverse;
 mod failure;
 mod failure_message;
+mod friction;
 #[doc(hidden)]
 pub mod generated;
 mod guard;

@@ -140,6 +140,13 @@ impl<'a> Offer<'a> {
             items.extend(self.named(is_place));
             return items;
         }
+        if opening == "friction" && last == opening {
+            // A pin may have the name of its point.
+            return self.named(|sort| matches!(sort, Sort::Joint | Sort::Point | Sort::BodyPoint));
+        }
+        if opening == "motor" && last == opening {
+            return self.named(|sort| sort == Sort::Driver);
+        }
         let kinds = [CONSTRAINTS, DRIVERS].concat();
         let kind = [Some(opening), second].into_iter().flatten();
         let kind = kind.filter_map(|word| kinds.iter().find(|it| it.keyword == word));

@@ -192,6 +192,12 @@ fn built_in(word: &str) -> Option<String> {
         "t" => "the time, in s".to_string(),
         "pi" => format!("π = {}", std::f64::consts::PI),
         "pressure_angle" => "the angle between the line of action of the teeth and the common tangent of the pitch circles; if it is given, bearings carry the tooth force".to_string(),
+        "friction" => "Coulomb friction in a joint: it resists sliding, in proportion to the reaction".to_string(),
+        "radius" => "the radius of a pin with friction".to_string(),
+        "over" => "the length of a slide with friction, whose ends carry the moment".to_string(),
+        "motor" => "a motor at a driver: torque, speed and power at its shaft are measures".to_string(),
+        "gear" => "the rotation of the shaft of a motor per unit of the driven quantity".to_string(),
+        "efficiency" => "the part of the power that the gear of a motor transmits, in both directions".to_string(),
         "ground" => "the fixed body; it carries every `point` of the description".to_string(),
         _ => return None,
     })

@@ -21,6 +21,8 @@
 //! | `unproven` there | `{from, to, block, reason}`: the first window that cannot be proven |
 //! | `measures` | `{measure, unit, smallest: {value, t}, largest: {value, t}}` each, between frames too, if there are any |
 //! | `broken_limits` | `{measure, limit, intervals, beyond, t}` each: first and last time of each interval, and the largest excess with its time, if there are any |
+//! | `motors` | `{driver, units, torque, speed, power}` each, if there are any: of the largest torque, speed and power, `{t, torque, speed, power}`, between frames too |
+//! | `friction` | if joints have friction: `{efficiency, work, frictionless_work, efficiency_of_load, work_of_load, frictionless_work_of_load, lowest: {efficiency, t}, self_locking}`, work in J while drivers drive the load and while the load drives, and the first and the last time of each interval in which the load cannot drive the mechanism |
 //! | `warnings`, `error` | sentences; `error` only if the motion ends early |
 
 use std::collections::BTreeMap;
@@ -32,7 +34,9 @@ use linkwright_solver::proof::{Enclosed, Proof};
 use linkwright_solver::{Check, View};
 use serde::Serialize;
 
+use crate::losses::{self, Friction};
 use crate::measured::{Broken, Extremes, broken, extremes};
+use crate::motors::{Motor, objects};
 use crate::units::{enclosing, of_coordinate, si_of};
 
 #[derive(Serialize)]
@@ -57,6 +61,10 @@ struct Object<'a> {
     measures: Vec<Extremes<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     broken_limits: Vec<Broken<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    motors: Vec<Motor<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    friction: Option<Friction>,
     warnings: &'a [String],
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<&'a str>,
@@ -277,6 +285,8 @@ pub fn write(check: &Check, proof: Option<&Proof>, output: &mut dyn Write) -> io
         proof: proof.map(|proof| proof_object(check, proof)),
         measures: extremes(check),
         broken_limits: broken(check),
+        motors: objects(&check.measured.motors, |_| None, &units),
+        friction: losses::object(check.losses.as_ref()),
         warnings: &check.warnings,
         error: check.error.as_deref(),
     };

@@ -10,7 +10,9 @@ use linkwright_solver::warnings::times;
 use linkwright_solver::{Check, View};
 
 use crate::assembly_table;
+use crate::losses;
 use crate::measured;
+use crate::motors;
 use crate::units::{enclosing, si_of};
 
 /// Largest number of listed assemblies.
@@ -43,7 +45,10 @@ pub fn write(check: &Check, width: usize, output: &mut dyn Write) -> io::Result<
     }
     assemblies(check, width, output)?;
     approaches(check, output)?;
-    measured::write(check, output)
+    measured::write(check, output)?;
+    let units = check.interpreted.system().mechanism.units.of_tables();
+    motors::write(&check.measured.motors, |_| None, &units, output)?;
+    losses::write(check.losses.as_ref(), output)
 }
 
 fn blocks(check: &Check, output: &mut dyn Write) -> io::Result<()> {

@@ -6,7 +6,7 @@
 //! - the coordinates by name (`x1`), their rates (`x1_d`) and accelerations (`x1_dd`);
 //! - for each point `K` its position, velocity and acceleration `K_x, K_y, K_vx, K_vy, K_ax, K_ay`;
 //! - the derivatives of `transmission` and `sensitivity` statements, `K_x per phi(1)`, empty where Φ_q is singular;
-//! - the quantities of `effort`, `reaction` and `energy` statements, `effort_crank`;
+//! - the quantities of `effort`, `reaction`, `energy` and `friction` statements, `effort_crank`;
 //! - the measures of `--monitor`, `normalized_determinant_phi2`, dimensionless.
 //!
 //! Units are m, rad and s unless others are requested. Then each name is followed by its unit, `phi1_d (rad/s)`, unless it is
@@ -23,7 +23,7 @@ use crate::motion::{Columns, Followed, OF_POINT, RATES, Shown, Sink};
 const BYTES: u64 = 20;
 
 /// Beginnings of the names of columns after those of coordinates and points.
-const OTHERS: [&str; 7] = [
+const OTHERS: [&str; 10] = [
     "normalized_determinant_",
     "effort_",
     "power_",
@@ -31,6 +31,9 @@ const OTHERS: [&str; 7] = [
     "kinetic_energy",
     "potential_energy",
     "added_power",
+    "friction_",
+    "frictionless_power",
+    "backward_power",
 ];
 
 /// Table of a motion, written frame by frame.

@@ -140,7 +140,10 @@ pub fn is_constant(low: f64, high: f64) -> bool {
 /// Returns a value with its unit and its time.
 pub(crate) fn text(it: TimedValue, unit: &OutputUnit) -> String {
     let value = unit.labeled(unit.rounded(it.value, DIGITS));
-    // An extreme is flat: half of the digits of a number determine its time.
-    let t = (it.t * TIME_UNITS).round() / TIME_UNITS;
-    format!("{value} at t = {} s", time(t))
+    format!("{value} at t = {} s", time_of_extreme(it.t))
+}
+
+/// Returns the time of an extreme, in s. An extreme is flat: half of the digits of a number determine its time.
+pub(crate) fn time_of_extreme(t: f64) -> String {
+    time((t * TIME_UNITS).round() / TIME_UNITS)
 }

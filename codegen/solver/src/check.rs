@@ -12,6 +12,7 @@ use crate::assemblies::{Assemblies, assemblies};
 use crate::checked_part::CheckedPart;
 use crate::condition::{Condition, dimensionless, jacobian};
 use crate::interpreted::Interpreted;
+use crate::losses::Losses;
 use crate::measure_watch::{MeasureRanges, MeasureWatch};
 use crate::proof::Proof;
 use crate::schedule::Schedule;
@@ -73,6 +74,9 @@ pub struct Check {
     /// Extremes of measures, and broken limits.
     #[doc(hidden)]
     pub measured: MeasureRanges,
+    /// Losses by friction at the visited times; `None` without friction.
+    #[doc(hidden)]
+    pub losses: Option<Losses>,
     /// Warnings.
     pub warnings: Vec<String>,
     /// Reason of an early end of the motion; `None` if it is complete.
@@ -109,6 +113,7 @@ impl Check {
         );
         let (mut range, mut error, mut approaches) = (None, None, Vec::new());
         let mut measuring = MeasureWatch::new(&interpreted);
+        let mut losses = Losses::of(interpreted.pool(), system);
         let failed = assembled.as_ref().err().map(|failure| failure.kind);
         let is_refused = failed.is_some_and(|kind| kind.rejects_values());
         let assemblies = match is_refused {
@@ -121,10 +126,12 @@ impl Check {
                 let mut watch = Watch::new(interpreted.measured(), laws.clone());
                 watch.see(&shell);
                 measuring.iter_mut().for_each(|it| it.see(&shell));
+                see_losses(&mut losses, &shell);
                 let (mut count, mut last) = (1, start);
                 let seen = |shell: &Shell<Interpreted>, _| {
                     watch.see(shell);
                     measuring.iter_mut().for_each(|it| it.see(shell));
+                    see_losses(&mut losses, shell);
                     count += 1;
                     last = shell.frame().t();
                     reached(count);
@@ -144,6 +151,7 @@ impl Check {
         Check {
             kinematic_freedom,
             net_freedom,
+            losses,
             measured: measuring.map(MeasureWatch::finish).unwrap_or_default(),
             warnings: warnings(&approaches, poses, WARNING_MEASURE),
             parts: parts(&interpreted, &approaches),
@@ -183,6 +191,13 @@ impl Check {
         let measured = self.parts.iter().filter(|it| it.approach.is_some());
         let measure = |it: &CheckedPart| it.approach.as_ref().map_or(1.0, |it| it.measure);
         measured.min_by(|a, b| measure(a).total_cmp(&measure(b)))
+    }
+}
+
+/// Adds an instant to the losses by friction.
+fn see_losses(losses: &mut Option<Losses>, shell: &Shell<Interpreted>) {
+    if let (Some(losses), Some(columns)) = (losses, View::reported(shell.blocks(), shell.frame())) {
+        losses.see(shell.frame().t(), &columns);
     }
 }
 

@@ -10,6 +10,7 @@ use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::{Carried, Component, ForceColumn, System};
 use nalgebra::{DMatrix, DVector};
 
+use crate::friction::{DenseFriction, Settled};
 use crate::instant::{Instant, Layout};
 use crate::product::product;
 use crate::reader::Reader;
@@ -37,6 +38,14 @@ pub(crate) fn names(pool: &Pool, system: &System) -> Vec<(String, String)> {
         ForceColumn::KineticEnergy => ("kinetic_energy".to_string(), "J"),
         ForceColumn::PotentialEnergy => ("potential_energy".to_string(), "J"),
         ForceColumn::AddedPower => ("added_power".to_string(), "W"),
+        ForceColumn::Friction(joint) => {
+            let mut frictions = system.mechanism.forces.frictions.iter();
+            let is_pin = frictions.any(|it| it.joint == joint && it.is_pin());
+            let unit = if is_pin { "N*m" } else { "N" };
+            (format!("friction_{}", slug(joint)), unit)
+        }
+        ForceColumn::FrictionlessPower => ("frictionless_power".to_string(), "W"),
+        ForceColumn::BackwardPower => ("backward_power".to_string(), "W"),
     };
     let columns = system.force_columns(&mut pool).into_iter();
     let columns = columns.map(named);
@@ -59,11 +68,17 @@ pub(crate) struct DenseForces {
     /// Column and row of each multiplier whose magnitude counts.
     magnitudes: Vec<(usize, usize)>,
     columns: usize,
+    /// Number of columns with those that are only intermediate, and number of drivers with columns.
+    all_columns: usize,
+    efforts: usize,
+    has_energy: bool,
     rows: usize,
     /// Number of monitored rows with multipliers, which minimize the weighted reactions; 0 without `least_norm`.
     shared: usize,
     /// Weights of the last columns, which are minimized.
     weights: Vec<f64>,
+    /// Joints with friction, with the numbers of components of their reactions; `None` without any.
+    friction: Option<(DenseFriction, Vec<usize>)>,
     /// Rows without a multiplier, because forces alone move the coordinates that they would hold.
     released: Vec<usize>,
 }
@@ -101,6 +116,15 @@ impl DenseForces {
                 columns.extend(carried(joint, &mut pool, system));
             }
         }
+        let friction = DenseFriction::new(system).map(|friction| {
+            let mut components = Vec::new();
+            for joint in friction.joints() {
+                let reaction = carried(joint, &mut pool, system);
+                components.push(reaction.len());
+                columns.extend(reaction);
+            }
+            (friction, components)
+        });
         let (mut entries, mut roots) = (Vec::new(), Vec::new());
         for (row, own) in system.rows.iter().enumerate() {
             for entry in &own.jacobian {
@@ -128,6 +152,9 @@ impl DenseForces {
             roots.extend(column.magnitudes.iter().map(|(_, factor)| *factor));
         }
         roots.extend(columns.iter().map(|it| it.value.unwrap_or(zero)));
+        if let Some((friction, _)) = &friction {
+            roots.extend(friction.roots(&mut pool, system));
+        }
         let roots: Vec<ExprId> = roots
             .into_iter()
             .map(|root| {
@@ -144,6 +171,13 @@ impl DenseForces {
             rows: system.coordinates.len(),
             shared,
             weights,
+            efforts: match system.mechanism.forces.efforts {
+                true => system.driven().count(),
+                false => 0,
+            },
+            all_columns: columns.len(),
+            has_energy: system.mechanism.forces.energy,
+            friction,
             released: Vec::new(),
         })
     }
@@ -189,8 +223,22 @@ impl DenseForces {
             multipliers::solve(&of_units.tr_mul(&of_units), &mut shares).ok()?;
             multipliers += units * shares;
         }
+        let (own, of_friction) = own.split_at(self.all_columns);
         let mut columns = own.to_vec();
         columns.truncate(self.columns);
+        if let Some((friction, components)) = &self.friction {
+            let linear = |multipliers: &DVector<f64>| {
+                let mut columns = vec![0.0; self.all_columns];
+                for ((column, row), factor) in self.terms.iter().zip(factors) {
+                    columns[*column] += factor * multipliers[*row];
+                }
+                columns
+            };
+            let settled =
+                friction.settle(of_friction, &jacobian, &multipliers, linear, components)?;
+            self.add_friction(&settled, &linear(&multipliers), &mut columns);
+            return Some(columns);
+        }
         for &row in &self.released {
             multipliers[row] = 0.0;
         }
@@ -206,6 +254,25 @@ impl DenseForces {
 }
 
 impl DenseForces {
+    /// Adds the columns of multipliers with friction, and those of friction itself; `alone` are those without friction.
+    fn add_friction(&self, settled: &Settled, alone: &[f64], columns: &mut [f64]) {
+        let [forward, backward] = &settled.columns;
+        let pairs = columns.iter_mut().zip(forward);
+        pairs.for_each(|(column, value)| *column += value);
+        let powers = |columns: &[f64]| -> f64 {
+            let powers = columns[..2 * self.efforts].chunks_exact(2);
+            powers.map(|it| it[1]).sum()
+        };
+        let count = settled.forces.len();
+        let first = columns.len() - count - 2;
+        if self.has_energy {
+            columns[first - 1] += settled.power;
+        }
+        columns[first..first + count].copy_from_slice(&settled.forces);
+        columns[first + count] = powers(alone);
+        columns[first + count + 1] = powers(backward);
+    }
+
     /// Replaces rows without a multiplier by the null space of the other rows.
     fn border(&self, jacobian: &mut DMatrix<f64>) {
         if self.released.is_empty() {
@@ -265,6 +332,11 @@ fn columns(pool: &mut Pool, system: &System) -> Vec<Column> {
             value: Some(value),
             ..Column::default()
         }));
+    }
+    let frictions = requests.frictions.len();
+    if frictions > 0 {
+        // Of the joints, and two powers.
+        columns.resize_with(columns.len() + frictions + 2, Column::default);
     }
     columns
 }

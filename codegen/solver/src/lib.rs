@@ -45,6 +45,7 @@ mod batch;
 mod emitted;
 mod explained;
 mod forces;
+mod friction;
 mod instant;
 mod interpreted;
 mod known_poses;
@@ -91,9 +92,13 @@ pub mod first_step;
 #[doc(hidden)]
 pub mod full_turn;
 #[doc(hidden)]
+pub mod losses;
+#[doc(hidden)]
 pub mod measure_watch;
 #[doc(hidden)]
 pub mod measures;
+#[doc(hidden)]
+pub mod motors;
 #[doc(hidden)]
 pub mod not_finite;
 #[doc(hidden)]

@@ -7,6 +7,7 @@ use linkwright::Shell;
 use linkwright_codegen::stages::model::Limit;
 
 use crate::instant::Instant;
+use crate::motors::MotorPeaks;
 use crate::supplied::{InputLaws, Modes};
 use crate::view::View;
 
@@ -48,6 +49,8 @@ pub struct MeasureRanges {
     pub ranges: Vec<MeasureRange>,
     /// Broken limits, in their order.
     pub broken: Vec<BrokenLimit>,
+    /// Worst points of motors, in their order.
+    pub motors: Vec<MotorPeaks>,
 }
 
 /// Observer of the instants of a motion in their order.
@@ -59,6 +62,7 @@ pub struct MeasureWatch {
     first: usize,
     ranges: Vec<MeasureRange>,
     broken: Vec<BrokenLimit>,
+    motors: Vec<MotorPeaks>,
     /// Beginning of the interval in which a limit is broken now.
     since: Vec<Option<f64>>,
     /// Last two instants.
@@ -107,6 +111,7 @@ impl MeasureWatch {
             ranges: ranges.collect(),
             since: vec![None; mechanism.limits.len()],
             broken: broken.collect(),
+            motors: MotorPeaks::of(mechanism),
             last: Vec::new(),
         })
     }
@@ -171,6 +176,7 @@ impl MeasureWatch {
         MeasureRanges {
             ranges: self.ranges,
             broken: self.broken,
+            motors: self.motors,
         }
     }
 
@@ -184,6 +190,12 @@ impl MeasureWatch {
         for measure in 0..self.ranges.len() {
             self.note(measure, t, seen.values[measure]);
         }
+        self.note_motors(t, &seen.values);
+    }
+
+    /// Records the values of all measures for motors.
+    fn note_motors(&mut self, t: f64, values: &[f64]) {
+        self.motors.iter_mut().for_each(|it| it.see(t, values));
     }
 
     /// Records a value of a measure.
@@ -241,6 +253,14 @@ impl MeasureWatch {
         }
         let (t, value) = self.golden(measure, sign, before, after.instant.t(), shell);
         self.note(measure, t, value);
+        if self
+            .motors
+            .iter()
+            .any(|it| it.measurements.contains(&measure))
+            && let Some(values) = self.at(t, before, shell)
+        {
+            self.note_motors(t, &values);
+        }
         if !breaks(value) || values.into_iter().any(breaks) {
             return;
         }

@@ -93,9 +93,9 @@ fn found(statement: &Statement) -> Vec<SymbolId> {
         Statement::SineCosine { sine, cosine, .. } => vec![*sine, *cosine],
         Statement::Lookup { targets, .. } => targets.iter().flatten().copied().collect(),
         Statement::Newton { found, .. } => found.concat(),
-        Statement::Solve { targets, .. } | Statement::Multipliers { targets, .. } => {
-            targets.iter().flatten().copied().collect()
-        }
+        Statement::Solve { targets, .. }
+        | Statement::Multipliers { targets, .. }
+        | Statement::Friction { targets, .. } => targets.iter().flatten().copied().collect(),
         _ => Vec::new(),
     }
 }

@@ -87,10 +87,15 @@ fn iterations(it: &Iterations) -> Vec<String> {
 fn of_work(work: &Work) -> Vec<String> {
     let attempt = grouped(work.attempt.total());
     let substeps = work::SUBSTEPS;
-    let mut lines = vec![match work.is_iterated {
-        false => format!("Advance: {attempt} operations, the same for every frame."),
-        true => format!("Advance: at most {attempt} operations, with {STEPS} iterations."),
-    }];
+    let call = |name: &str, operations: &str| match (work.is_iterated, work.has_friction) {
+        (false, false) => format!("{name}: {operations} operations, the same for every frame."),
+        (true, _) => format!("{name}: at most {operations} operations, with {STEPS} iterations."),
+        (false, true) => format!(
+            "{name}: at most {operations} operations, with {} steps of friction.",
+            work::FRICTION_STEPS
+        ),
+    };
+    let mut lines = vec![call("Advance", &attempt)];
     if let Some(window) = work.window {
         let look = grouped(window.look.total());
         let looks = work::LOOKS;
@@ -117,10 +122,7 @@ fn of_work(work: &Work) -> Vec<String> {
         grouped(fixed + substeps * each)
     ));
     let recover = grouped(work.recover.total());
-    lines.push(match work.is_iterated {
-        false => format!("Recover: {recover} operations, the same for every frame."),
-        true => format!("Recover: at most {recover} operations, with {STEPS} iterations."),
-    });
+    lines.push(call("Recover", &recover));
     lines
 }
 

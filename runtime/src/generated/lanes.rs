@@ -11,7 +11,7 @@ macro_rules! precision {
             pub use crate::generated::lanes::{LaneValues as _, ReadLanes as _, Zero as _};
             pub use crate::lanes::elementary::$name::{angle_near, math};
             pub use crate::lanes::elementary::{
-                choose, exceeds_rounding, less, lookup, multipliers, negative, not_finite, not_positive,
+                choose, exceeds_rounding, friction, less, lookup, multipliers, negative, not_finite, not_positive,
             };
 
             /// Numbers of all lanes.

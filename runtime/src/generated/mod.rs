@@ -35,6 +35,7 @@ pub use crate::closed_form::{
     out_of_reach, singular_divisor,
 };
 pub use crate::contact::pressure_angle;
+pub use crate::friction::friction;
 pub use crate::guard::Pair;
 pub use crate::isolation::{Chord, isolate, isolate_all};
 pub use crate::linear::{Factorization, Measure};
@@ -58,6 +59,11 @@ pub mod damped {
 /// Frames of one block, and the factorization of its Jacobian.
 pub mod kinematics {
     pub use crate::kinematics::{Frame, factorize};
+}
+
+/// Friction in any number of joints.
+pub mod friction {
+    pub use crate::friction::{STEPS, settle};
 }
 
 /// Damped least squares, for rough estimates.
@@ -96,7 +102,7 @@ macro_rules! precision {
             // Public types under the names for which `rustdoc` has pages.
             pub use $types::{Failure, NormalizedDeterminant, PointMotion, Settings, Signal};
             pub use crate::generated::{
-                BlockEquations, Chord, Factorization, Start, Torn, all_finite, block, exceeds_rounding, isolate,
+                BlockEquations, Chord, Factorization, Start, Torn, all_finite, block, exceeds_rounding, friction, isolate,
                 isolate_chain, kinematics, largest_length, load_not_finite, multipliers, newton, not_finite,
                 not_positive, out_of_reach, pressure_angle, required, singular_divisor, torn,
             };

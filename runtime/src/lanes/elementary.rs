@@ -6,6 +6,7 @@ use core::ops::{Add, Mul};
 
 use super::{Lanes, Mask};
 use crate::closed_form;
+use crate::friction::friction as friction_of_one;
 use crate::math::Real;
 use crate::multipliers::multipliers as multipliers_of_one;
 use crate::table::Table;
@@ -216,4 +217,29 @@ pub fn multipliers<T: Real, const N: usize, const K: usize>(
         }
     });
     (multipliers, singular)
+}
+
+/// Returns the forces of friction of all lanes, and the lanes in which they do not settle.
+pub fn friction<T: Real, const N: usize, const K: usize>(
+    pins: usize,
+    coefficients: [Lanes<T, N>; K],
+    alone: [[Lanes<T, N>; 2]; K],
+    units: [[[Lanes<T, N>; 2]; K]; K],
+) -> ([Lanes<T, N>; K], Mask<N>) {
+    let mut forces = [Lanes::splat(T::ZERO); K];
+    let unsettled = Mask::of(|lane| {
+        let of = |values: [Lanes<T, N>; 2]| values.map(|it| it.0[lane]);
+        let (coefficients, alone) = (coefficients.map(|it| it.0[lane]), alone.map(of));
+        let units = units.map(|joint| joint.map(of));
+        match friction_of_one(pins, coefficients, alone, units, T::ZERO, 0) {
+            Ok(settled) => {
+                for (force, value) in forces.iter_mut().zip(settled) {
+                    force.0[lane] = value;
+                }
+                false
+            }
+            Err(_) => true,
+        }
+    });
+    (forces, unsettled)
 }

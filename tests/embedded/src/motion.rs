@@ -180,6 +180,7 @@ fn failed<T: Real, B: Machine>(machine: &mut B, failure: &Failure<T>) {
         FailureKind::NotFinite => 10,
         FailureKind::Undecided => 11,
         FailureKind::LoadNotFinite { .. } => 12,
+        FailureKind::FrictionUnsettled { .. } => 14,
         FailureKind::OutsideRange { .. } => 13,
         _ => 14,
     };

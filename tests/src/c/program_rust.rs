@@ -42,6 +42,7 @@ pub fn failed<T: Real>(failure: &Failure<T>) -> String {
         FailureKind::NotFinite => (10, T::ZERO, failure.input.map_or(0, |input| input + 1)),
         FailureKind::Undecided => (11, T::ZERO, 0),
         FailureKind::LoadNotFinite { load } => (12, T::ZERO, load),
+        FailureKind::FrictionUnsettled { change } => (14, change, 0),
         FailureKind::OutsideRange { value } => (13, value, failure.input.map_or(0, |input| input + 1)),
         _ => panic!("a kind of failure that is unknown in C"),
     };

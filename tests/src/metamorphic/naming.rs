@@ -76,6 +76,8 @@ fn declared(statements: &[Statement], names: &mut Vec<String>) {
             | Statement::Torque(_)
             | Statement::Limit(_)
             | Statement::Clearance(_)
+            | Statement::Friction(_)
+            | Statement::Motor(_)
             | Statement::Units(_) => {}
             Statement::Element(it) => declarations.extend(&it.name),
         }
@@ -90,8 +92,11 @@ struct Renaming {
 
 impl Renaming {
     fn name(&mut self, name: &Name) {
-        if let Some(other) = self.other.get(&name.text) {
-            self.edits.replace(name.span, other.clone());
+        // A measure of a motor begins with the name of its driver.
+        let end = name.text.find("_motor_").unwrap_or(name.text.len());
+        let (driver, measure) = name.text.split_at(end);
+        if let Some(other) = self.other.get(driver) {
+            self.edits.replace(name.span, format!("{other}{measure}"));
         }
     }
 
@@ -140,6 +145,8 @@ impl Renaming {
                 }
                 Statement::Limit(it) => self.name(&it.measure),
                 Statement::Clearance(it) => self.name(&it.name),
+                Statement::Friction(it) => self.name(&it.joint),
+                Statement::Motor(it) => self.name(&it.driver),
                 Statement::Request(it) => {
                     self.items(&it.items);
                     it.names.iter().for_each(|name| self.name(name));

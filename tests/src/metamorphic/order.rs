@@ -94,6 +94,8 @@ fn ordered(text: &str, statements: &[Statement], random: &mut Random) -> String 
                 | Statement::Measure(_)
                 | Statement::Limit(_)
                 | Statement::Clearance(_)
+                | Statement::Friction(_)
+                | Statement::Motor(_)
                 | Statement::Mass(_)
                 | Statement::Gravity(_)
                 | Statement::Element(_)

@@ -64,6 +64,10 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             Statement::Equation(equation) => of_equation(equation, visit),
             Statement::Curve(curve) => of_curve(curve, visit),
             Statement::Motion(motion) => statements(&motion.statements, visit),
+            Statement::Friction(friction) => {
+                let lengths = friction.radius.iter().chain(&friction.length);
+                lengths.for_each(|it| visit(Given::Length(it)));
+            }
             Statement::Constant(_)
             | Statement::Given(_)
             | Statement::Angle(_)
@@ -73,6 +77,7 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             | Statement::Measure(_)
             | Statement::Limit(_)
             | Statement::Clearance(_)
+            | Statement::Motor(_)
             | Statement::Request(_)
             | Statement::Mass(_)
             | Statement::Gravity(_)
@@ -341,6 +346,16 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
             Statement::Torque(torque) => visit(&torque.value, true),
             Statement::Limit(limit) => {
                 limit.ends.iter().flatten().for_each(|it| visit(it, false));
+            }
+            Statement::Friction(friction) => {
+                visit(&friction.coefficient, false);
+                let others = friction.radius.iter().chain(&friction.length);
+                others.for_each(|it| visit(it, false));
+            }
+            Statement::Motor(motor) => {
+                let formulas = [&motor.gear, &motor.inertia, &motor.efficiency];
+                let formulas = formulas.into_iter().flatten();
+                formulas.for_each(|it| visit(it, false));
             }
             // Its points are numbers.
             Statement::Table(_) | Statement::Request(_) | Statement::Units(_) => {}

@@ -38,6 +38,7 @@ fn bounds_are_those_of_the_runtime() {
         ("continuation.rs", "BLOCKS", work::BLOCKS),
         ("deviations.rs", "WIDENED", work::WIDENED),
         ("least_squares.rs", "STEPS", work::LEAST_SQUARES),
+        ("friction.rs", "STEPS", work::FRICTION_STEPS),
     ];
     for (file, name, value) in same {
         assert_eq!(constant(file, name), value as f64, "{name}");

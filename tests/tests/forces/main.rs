@@ -6,6 +6,7 @@ mod forces;
 mod forces_by_hand;
 mod forces_generated;
 mod free_motion;
+mod friction;
 mod least_norm;
 mod near_singular;
 mod simulation;

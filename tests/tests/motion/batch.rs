@@ -102,11 +102,12 @@ fn kind(failure: &Failure) -> String {
 
 #[test]
 fn sets_have_the_bits_of_their_own_shells_in_all_descriptions() {
-    let mut random = Random::new(35);
     let mut kinds: BTreeMap<String, usize> = BTreeMap::new();
     let (mut compared, mut ended) = (0, 0);
     let times = times();
     for name in description::names().iter().chain(&description::small()) {
+        // Another description does not change the sets of this one.
+        let mut random = Random::new(35);
         for derived in description::motions(name) {
             let Some(blocks) = Interpreted::new(&derived) else {
                 continue;
@@ -150,6 +151,7 @@ fn sets_have_the_bits_of_their_own_shells_in_all_descriptions() {
     println!("{compared} values of equal bits; {ended} sets that fail: {kinds:?}");
     assert!(compared > 1_000_000 && ended > 500, "{compared}, {ended}");
     for kind in [
+        "FrictionUnsettled",
         "NotPositive",
         "OutOfReach",
         "OutsideRange",

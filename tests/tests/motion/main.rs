@@ -18,6 +18,7 @@ mod laws;
 mod math;
 mod measures;
 mod motions;
+mod motors;
 mod ranges;
 mod references;
 mod rods;

@@ -45,6 +45,7 @@ mod left_out;
     feature = "png"
 ))]
 mod licenses;
+mod losses;
 #[cfg(feature = "man")]
 mod man;
 mod measures;

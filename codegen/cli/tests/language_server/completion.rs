@@ -56,6 +56,17 @@ fn completion_offers_what_can_stand_there() {
             .iter()
             .any(|it| it == "translational")
     );
+    let losses = |statement: &str| {
+        offered_in(&format!(
+            "revolute A(ground, 1);\n    translational rail(ground, two) along A -> B;\n    drive crank: phi(1) = 1;\n    {statement}"
+        ))
+    };
+    assert_eq!(losses("motor |"), ["crank"]);
+    let joints = losses("friction |");
+    assert!(joints.iter().any(|it| it == "rail") && joints.iter().any(|it| it == "A"));
+    assert!(!joints.iter().any(|it| it == "crank"), "{joints:?}");
+    let clauses = losses("friction A = 0.1 |");
+    assert!(clauses.iter().any(|it| it == "radius") && clauses.iter().any(|it| it == "over"));
     let driven = offered_in("drive |");
     assert_eq!(driven[0], "phi");
     assert!(driven.iter().any(|it| it == "length") && driven.iter().any(|it| it == "two"));

@@ -117,6 +117,20 @@ fn hover_says_what_a_pressure_angle_is() {
 }
 
 #[test]
+fn hover_explains_friction_and_motors() {
+    let text = "mechanism m {\n    point A = (0, 0);\n    body 1 at A { A, S: (1, 0) }\n    revolute A(ground, 1);\n    drive crank: phi(1) = 2;\n    mass 1 = 1kg at S;\n    friction A = 0.1 radius 5mm;\n    motor crank gear 50 efficiency 0.8;\n}\n";
+    let mut client = opened(text);
+    let mut hover_text = |part: &str| hover(&mut client, text, part, 0);
+    assert!(hover_text("friction").starts_with("Coulomb friction in a joint"));
+    assert!(hover_text("radius").starts_with("the radius of a pin"));
+    assert!(hover_text("motor").starts_with("a motor at a driver"));
+    assert!(hover_text("gear").starts_with("the rotation of the shaft"));
+    assert!(hover_text("efficiency").starts_with("the part of the power"));
+    assert!(hover_text("crank gear").contains("drive crank: phi(1) = 2;"));
+    client.finish();
+}
+
+#[test]
 fn hover_answers_before_the_equations_are_known() {
     // The driver is missing, and so are equations; a name is what it is.
     let text = CRANK.replace("drive turn", "drive");

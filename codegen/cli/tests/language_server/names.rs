@@ -82,7 +82,9 @@ fn every_word_is_a_name_or_one_of_the_language() {
             let mention = names.mention_at(lexeme.start);
             let mentioned = mention.map(|it| &source.text[it.span.range()]);
             let position = source.position(lexeme.start as u32);
-            assert_eq!(mentioned, Some(word), "{}:{}", source.name, position.line);
+            // A measure of a motor begins with the name of its driver.
+            let word = word.split("_motor_").next();
+            assert_eq!(mentioned, word, "{}:{}", source.name, position.line);
             count += 1;
         }
     }

@@ -152,3 +152,48 @@ fn a_name_that_a_statement_with_an_error_may_use_is_not_renamed() {
     assert_eq!(renamed(&mut client, text, "rod at", "arm"), Ok(expected));
     client.finish();
 }
+
+#[test]
+fn measures_of_a_motor_are_renamed_with_its_driver() {
+    let text = "mechanism hoist {
+    point O = (0, 0);
+    body arm at O { O, S: (20cm, 0) }
+    revolute O(ground, arm);
+    drive crank: phi(arm) = t;
+    mass arm = 3kg at S;
+    motor crank gear 50;
+    measure twice = 2*crank_motor_torque;
+    limit crank_motor_speed <= 60;
+}
+";
+    let mut client = opened(text);
+    for part in [
+        "crank:",
+        "crank gear",
+        "crank_motor_torque",
+        "crank_motor_speed",
+    ] {
+        let expected = text.replace("crank", "drum");
+        assert_eq!(renamed(&mut client, text, part, "drum"), Ok(expected));
+    }
+    client.finish();
+}
+
+#[test]
+fn friction_is_renamed_with_its_joint() {
+    let text = "mechanism hoist {
+    point O = (0, 0);
+    body arm at O { O, S: (20cm, 0) }
+    revolute O(ground, arm);
+    drive crank: phi(arm) = t;
+    mass arm = 3kg at S;
+    friction O = 0.1 radius 5mm;
+}
+";
+    let mut client = opened(text);
+    for part in ["O = (0", "O(ground", "O = 0.1"] {
+        let expected = text.replace('O', "pin");
+        assert_eq!(renamed(&mut client, text, part, "pin"), Ok(expected));
+    }
+    client.finish();
+}

@@ -15,6 +15,8 @@
 //! | `frames` | `{t, q, qd, qdd, points: {NAME: {position, velocity, acceleration}}}` each; pairs are (x, y); and `derivatives`, `forces` and `measures`, null where Φ_q is singular |
 //! | `residuals` | the largest over all frames, in SI units: `position`, `scaled`, `velocity`, `acceleration`, and `monitored` if equations are redundant |
 //! | `extremes` | of measures: `{measure, smallest: {value, t}, largest: {value, t}, rms}` each, over all frames |
+//! | `motors` | `{driver, units, torque, speed, power, rms_torque}` each, if there are any: of the largest torque, speed and power, `{t, torque, speed, power}`, over all frames |
+//! | `friction` | if joints have friction: `{efficiency, work, frictionless_work, efficiency_of_load, work_of_load, frictionless_work_of_load, lowest: {efficiency, t}, self_locking}`, work in J while drivers drive the load and while the load drives, and the first and the last time of each interval in which the load cannot drive the mechanism |
 //! | `pressure_angles` | of bodies that touch along curves: `{joint, angle, t}` each, the largest angle, in rad or the requested unit, and its time; null at rest |
 //! | `newton_steps` | total number of Newton-Raphson steps |
 //! | `simulation` | of a simulated motion: `evaluations`, `steps`, `implicit_steps` among them, `rejected`, `energy_drift` in J, and `kinetic_energy`, the largest |
@@ -34,7 +36,9 @@ use linkwright_solver::residuals::Residuals;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
+use linkwright_page::losses::{self, Friction};
 use linkwright_page::motion::{EarlyEnd, Followed, Shown, Simulated, Sink};
+use linkwright_page::motors::{Motor, objects};
 use linkwright_page::units::{ColumnUnits, UnitNames};
 
 /// Values that are known before the motion is followed.
@@ -65,6 +69,10 @@ struct Tail<'a> {
     residuals: Largest,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     extremes: Vec<Extremes<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    motors: Vec<Motor<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    friction: Option<Friction>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pressure_angles: Vec<Pressure<'a>>,
     newton_steps: u64,
@@ -265,7 +273,8 @@ impl<'a> Object<'a> {
             ..
         } = motion.residuals.largest;
         let [newton_steps, _] = motion.view.newton_steps();
-        let unit = motion.system().mechanism.units.of_tables().of("rad");
+        let units = motion.system().mechanism.units.of_tables();
+        let unit = units.of("rad");
         let angles = motion.pressure.largest.iter();
         let angles = angles.map(|it| Pressure::new(it, &unit));
         let first = motion.force_count();
@@ -287,6 +296,8 @@ impl<'a> Object<'a> {
             });
         let tail = serde_json::to_string(&Tail {
             extremes: extremes.collect(),
+            motors: objects(&motion.motors, |it| motion.rms_torque(it), &units),
+            friction: losses::object(motion.losses.as_ref()),
             residuals: Largest {
                 position,
                 scaled,

@@ -9,6 +9,7 @@ use linkwright_solver::number::time;
 use super::motion_table::{self, Column};
 use linkwright_page::measured::is_constant;
 use linkwright_page::motion::Followed;
+use linkwright_page::{losses, motors};
 
 /// Width of a table in characters.
 const WIDEST: usize = 100;
@@ -63,7 +64,8 @@ pub fn write<V: View>(
         let rms = text(square.root());
         writeln!(output, "  {name:width$}  from {low} to {high}, rms {rms}")?;
     }
-    Ok(())
+    motors::write(&motion.motors, |it| motion.rms_torque(it), units, output)?;
+    losses::write(motion.losses.as_ref(), output)
 }
 
 /// Writes as many columns side by side as fit on a line.

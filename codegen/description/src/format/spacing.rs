@@ -4,7 +4,7 @@ use super::pieces::{Piece, What};
 use crate::syntax::KEYWORDS;
 
 /// Words between two operands.
-const CLAUSES: [&str; 15] = [
+const CLAUSES: [&str; 19] = [
     "at",
     "turned",
     "facing",
@@ -15,6 +15,10 @@ const CLAUSES: [&str; 15] = [
     "free",
     "preload",
     "inertia",
+    "gear",
+    "efficiency",
+    "radius",
+    "over",
     "from",
     "to",
     "tolerance",

@@ -6,7 +6,7 @@ use super::{Distribution, Mechanism, Parameter};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::Graph;
 use crate::joint::geometry::Mark;
-use crate::syntax::{Constant, Statement};
+use crate::syntax::{Constant, Name, Statement};
 
 /// Keyword of the joints that may have a clearance.
 const PIN: &str = "revolute";
@@ -56,6 +56,21 @@ impl Resolver<'_> {
         clearances
     }
 
+    /// Reports a name that no joint has.
+    pub(super) fn report_nameless_joint(&mut self, name: &Name, constraints: &[usize]) {
+        let message = format!("no joint is named `{}`", name.text);
+        let finding = Diagnostic::error(Code::UnknownName, name.span, message)
+            .label("not a joint of this mechanism");
+        let names = constraints.iter();
+        let names = names.filter_map(|&it| self.linkage.joints[it].0.name.as_deref());
+        let names: Vec<&str> = names.collect();
+        let finding = match self.declared.nearest_known(&name.text, names) {
+            Some(meant) => finding.help(format!("did you mean `{meant}`?")),
+            None => finding.help("name a joint behind its word, `revolute P(1, 2);`"),
+        };
+        self.diagnostics.push(finding);
+    }
+
     /// Returns the pins of a clearance's name; empty after an error.
     fn pins(&mut self, written: &Constant) -> Vec<usize> {
         let name = &written.name;
@@ -63,17 +78,7 @@ impl Resolver<'_> {
         let mut joints = constraints.clone();
         joints.retain(|&it| self.linkage.joints[it].0.name.as_deref() == Some(&name.text));
         if joints.is_empty() {
-            let message = format!("no joint is named `{}`", name.text);
-            let finding = Diagnostic::error(Code::UnknownName, name.span, message)
-                .label("not a joint of this mechanism");
-            let names = constraints.iter();
-            let names = names.filter_map(|&it| self.linkage.joints[it].0.name.as_deref());
-            let names: Vec<&str> = names.collect();
-            let finding = match self.declared.nearest_known(&name.text, names) {
-                Some(meant) => finding.help(format!("did you mean `{meant}`?")),
-                None => finding.help("name a joint behind its word, `revolute P(1, 2);`"),
-            };
-            self.diagnostics.push(finding);
+            self.report_nameless_joint(name, &constraints);
         }
         for &place in &joints {
             if let Some(declaration) = self.linkage.joints[place].0.name_span {

@@ -9,7 +9,7 @@ use super::expression::Value;
 use super::measured_element::MeasuredElement;
 use super::namespace::Namespace;
 use super::parameters::Fields;
-use super::{Input, Limit, Measurement, Parameter, Table};
+use super::{Input, Limit, Measurement, Motor, Parameter, Table};
 use crate::diagnostic::{Attachment, Span, Suggestions};
 use crate::expr::SymbolId;
 use crate::joint::geometry::{BodyId, Vector};
@@ -56,6 +56,9 @@ pub(super) struct Declared<'a> {
     pub measures: Namespace<Option<usize>>,
     pub measurements: Vec<Measurement>,
     pub limits: Vec<Limit>,
+    pub motors: Vec<Motor>,
+    /// True if a statement gives a joint friction.
+    pub has_friction: bool,
     /// Files that the description names.
     pub attachments: &'a [Attachment],
     suggestions: Suggestions,
@@ -85,6 +88,8 @@ impl Declared<'_> {
             measures: Namespace::new("measure"),
             measurements: Vec::new(),
             limits: Vec::new(),
+            motors: Vec::new(),
+            has_friction: false,
             attachments: &[],
             suggestions: Suggestions::default(),
         };

@@ -34,6 +34,8 @@ impl Dimension {
     /// Dimension of a length.
     pub const LENGTH: Dimension = Dimension::marked(1, 0, 0);
     pub(super) const RATIO: Dimension = Dimension::marked(0, 0, 0);
+    /// Dimension of the rotation of a shaft over a length.
+    pub(super) const ANGLE_PER_LENGTH: Dimension = Dimension::marked(-1, 0, 0);
     const TIME: Dimension = Dimension::marked(0, 1, 0);
 
     const FREQUENCY: Dimension = Dimension::marked(0, -1, 0);
@@ -272,6 +274,7 @@ impl Dimension {
             Dimension::AngleRate(1) => "an angular velocity".to_string(),
             Dimension::AngleRate(_) => "an angular acceleration".to_string(),
             Dimension::RATIO => "a plain number or an angle".to_string(),
+            Dimension::ANGLE_PER_LENGTH => "an angle over a length".to_string(),
             Dimension::LENGTH => "a length".to_string(),
             Dimension::TIME => "a time".to_string(),
             Dimension::FREQUENCY => "a frequency".to_string(),

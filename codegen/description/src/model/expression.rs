@@ -65,6 +65,8 @@ impl Resolver<'_> {
                 Dimension::STIFFNESS => "a stiffness is a force over a length: `5N/mm`, or a number in N/m",
                 Dimension::DAMPING => "a damping is a force over a speed: `5N*s/m`, or a number in N*s/m",
                 Dimension::ANGULAR_DAMPING => "a damping about a joint is a torque times a time: `5Nm*s`, or a number in N*m*s",
+                Dimension::RATIO => "write a number without a unit",
+                Dimension::ANGLE_PER_LENGTH => "write an angle over a length, `2*pi/5mm`, or a number in rad/m",
                 Dimension::ACCELERATION => "write numbers in m/s^2, or `9.81m/s^2`",
                 _ => "angles end in `deg`, `rad`, `turn` or in no unit for radians",
             });

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::friction::Friction;
 use super::teeth::Teeth;
 use crate::diagnostic::Span;
 use crate::expr::ExprId;
@@ -19,6 +20,8 @@ pub struct Forces {
     pub loads: Vec<Load>,
     /// Gears whose bearings carry the force of the teeth, in source order.
     pub teeth: Vec<Teeth>,
+    /// Friction in joints: pins before slides, each in the order of the joints.
+    pub frictions: Vec<Friction>,
     /// Coordinates moved by forces, in source order.
     pub free: Vec<Free>,
     /// True if an `effort` statement requests the driving forces and torques.

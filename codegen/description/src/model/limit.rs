@@ -54,6 +54,7 @@ impl Resolver<'_> {
             return;
         };
         self.note_use(name, declaration);
+        self.note_motor(name);
         // A measure with an error has been reported.
         let Some(measurement) = place else {
             return;

@@ -8,10 +8,12 @@ use std::collections::{HashMap, HashSet};
 use super::dimension::Dimension;
 use super::expression::Value;
 use super::kinematic::KinematicTerms;
+use super::measurement::ArmSymbols;
 use super::resolve::Resolver;
 use super::{ForceTerm, MeasureTerm, Measurement, Point, field_name};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{ExprId, SymbolId};
+use crate::joint::geometry::Mark;
 use crate::syntax::{Constant, Name};
 
 /// Terms of the measure being resolved, besides its points.
@@ -29,6 +31,9 @@ const ORDER_OF_FORCES: usize = 3;
 /// Prefixes of the columns of requested forces.
 const COLUMNS_OF_FORCES: [&str; 3] = ["effort_", "power_", "reaction_"];
 
+/// Columns of powers in mechanisms with friction.
+const COLUMNS_OF_FRICTION: [&str; 2] = ["frictionless_power", "backward_power"];
+
 /// Columns of the time and of requested energies.
 const FIXED_COLUMNS: [&str; 4] = ["t", "kinetic_energy", "potential_energy", "added_power"];
 
@@ -39,25 +44,46 @@ impl Resolver<'_> {
             self.diagnostics.push(duplicate);
             return;
         }
-        let number = self.declared.measurements.len();
-        let symbol = self.graph.symbol(&format!("{} measure", name.text));
         let help = "give one of them another name";
         let is_named = self.may_be_declared(name) && self.means_nothing_else(name, "measure", help);
-        self.formulas.kinematic = Some(KinematicTerms::of_measure(self.terms_of_measures()));
+        self.begin_measure(&name.text);
         let value = self.value(&written.value);
         let terms = self.formulas.kinematic.take();
         let terms = terms.and_then(KinematicTerms::into_measure);
-        let place = value.filter(|_| is_named).map(|_| number);
-        self.diagnostics
-            .extend(self.declared.measures.declare(name, place));
-        let (Some((value, dimension)), Some((terms, marks)), true) = (value, terms, is_named)
-        else {
-            return;
-        };
+        if let (Some(value), Some(terms), true) = (value, terms, is_named) {
+            self.push_measurement(name.clone(), written.docs.clone(), value, terms);
+        } else {
+            self.diagnostics
+                .extend(self.declared.measures.declare(name, None));
+        }
+    }
+
+    /// Begins the formula of a measure with this name.
+    pub(super) fn begin_measure(&mut self, name: &str) {
+        // The symbol of a measure precedes those in its formula in every order of symbols.
+        self.graph.symbol(&format!("{name} measure"));
+        self.formulas.kinematic = Some(KinematicTerms::of_measure(self.terms_of_measures()));
+    }
+
+    /// Declares and adds a measure with its terms and points, and returns its index.
+    pub(super) fn push_measurement(
+        &mut self,
+        name: Name,
+        docs: Vec<String>,
+        (value, dimension): Value,
+        (terms, marks): (MeasureTerms, Vec<(Mark, ArmSymbols)>),
+    ) -> Option<usize> {
+        let number = self.declared.measurements.len();
+        let declared = self.declared.measures.declare(&name, Some(number));
+        if let Some(duplicate) = declared {
+            self.diagnostics.push(duplicate);
+            return None;
+        }
+        let symbol = self.graph.symbol(&format!("{} measure", name.text));
         let order = order_of(self.graph.symbols(value), &terms.orders);
         self.declared.measurements.push(Measurement {
-            name: name.text.clone(),
-            docs: written.docs.clone(),
+            name: name.text,
+            docs,
             value,
             symbol,
             dimension,
@@ -66,6 +92,7 @@ impl Resolver<'_> {
             terms: terms.terms,
             span: name.span,
         });
+        Some(number)
     }
 
     /// Returns terms that know the orders of earlier measures.
@@ -83,6 +110,7 @@ impl Resolver<'_> {
         self.formulas.kinematic.as_mut()?.measure()?;
         let (declaration, place) = self.declared.measures.found(&name.text)?;
         self.note_use(name, declaration);
+        self.note_motor(name);
         // A measure with an error has been reported.
         let measure = place.and_then(|place| self.declared.measurements.get(place));
         let value = measure.map(|it| (it.symbol, it.dimension));
@@ -92,6 +120,9 @@ impl Resolver<'_> {
     /// Reports measures whose names are those of other columns, or differ only in case.
     pub(super) fn reject_columns(&mut self, points: &[Point]) {
         let mut columns: HashSet<String> = FIXED_COLUMNS.map(str::to_string).into();
+        if self.declared.has_friction {
+            columns.extend(COLUMNS_OF_FRICTION.map(str::to_string));
+        }
         let coordinates = self.linkage.bodies.iter().flat_map(|it| it.coordinates);
         for symbol in coordinates.flatten().map(|it| it.symbol) {
             let name = self.graph.symbol_name(symbol);
@@ -105,13 +136,17 @@ impl Resolver<'_> {
         let measures = self.declared.measurements.iter();
         let names: Vec<(String, Span)> = measures.map(|it| (it.name.clone(), it.span)).collect();
         for (name, span) in names {
-            let is_force = COLUMNS_OF_FORCES.iter().any(|it| name.starts_with(it));
+            let is_force = COLUMNS_OF_FORCES.iter().any(|it| name.starts_with(it))
+                || (self.declared.has_friction && name.starts_with("friction_"));
             if is_force || columns.contains(&name) {
                 let message = format!("`{name}` is another column in tables of frames");
-                self.diagnostics.push(
-                    Diagnostic::error(Code::NameNotAllowed, span, message)
-                        .help("give the measure another name"),
-                );
+                let mut motors = self.declared.motors.iter();
+                let help = match motors.any(|it| it.span.range().contains(&span.range().start)) {
+                    true => "give the driver another name",
+                    false => "give the measure another name",
+                };
+                let finding = Diagnostic::error(Code::NameNotAllowed, span, message);
+                self.diagnostics.push(finding.help(help));
                 continue;
             }
             let earlier = fields

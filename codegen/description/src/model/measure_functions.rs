@@ -178,12 +178,29 @@ impl Resolver<'_> {
     /// Resolves `effort(NAME)` or `power(NAME)` of a driver.
     fn effort_of(&mut self, function: &Name, argument: &Expression) -> Option<Value> {
         let name = self.name_in_measure(argument, "a driver")?;
+        let place = self.driver_named(&name)?;
+        let dimension = match self.linkage.joints[place].0.kind.value.quantity() {
+            Some(Quantity::Angle) => Dimension::TORQUE,
+            _ => Dimension::FORCE,
+        };
+        match function.text.as_str() {
+            "power" => self.force_in_measure(ForceTerm::Power(place), Dimension::POWER),
+            _ => self.force_in_measure(ForceTerm::Effort(place), dimension),
+        }
+    }
+
+    /// Returns the driver of this name, and records its use; `None` after an error.
+    pub(super) fn driver_named(&mut self, name: &Name) -> Option<usize> {
         let joints = self.linkage.joints.iter().map(|(joint, _)| joint);
         let mut drivers = joints
             .enumerate()
             .filter(|(_, joint)| joint.role == Role::Driver && joint.operands.value.is_some());
         let named = drivers.find(|(_, joint)| joint.name.as_deref() == Some(&name.text));
         let Some((place, driver)) = named else {
+            // A driver with an error has been reported.
+            if self.declared.drivers.declaration(&name.text).is_some() {
+                return None;
+            }
             let message = format!("no driver is named `{}`", name.text);
             self.diagnostics.push(
                 Diagnostic::error(Code::UnknownName, name.span, message)
@@ -192,17 +209,10 @@ impl Resolver<'_> {
             );
             return None;
         };
-        let dimension = match driver.kind.value.quantity() {
-            Some(Quantity::Angle) => Dimension::TORQUE,
-            _ => Dimension::FORCE,
-        };
         if let Some(declaration) = driver.name_span {
-            self.note_use(&name, declaration);
+            self.note_use(name, declaration);
         }
-        match function.text.as_str() {
-            "power" => self.force_in_measure(ForceTerm::Power(place), Dimension::POWER),
-            _ => self.force_in_measure(ForceTerm::Effort(place), dimension),
-        }
+        Some(place)
     }
 
     /// Returns the joint of this name with a force or a moment; `None` after an error.

@@ -22,6 +22,7 @@ mod expression;
 mod forces;
 mod formulas;
 mod free;
+mod friction;
 mod joints;
 mod kinematic;
 mod law;
@@ -40,6 +41,7 @@ mod measured_element;
 mod measurement;
 mod mention;
 mod motions;
+mod motor;
 mod namespace;
 mod naming;
 mod not_finite;
@@ -68,12 +70,14 @@ pub use call::FUNCTIONS;
 pub use clearance::Clearance;
 pub use dimension::{Dimension, unit};
 pub use forces::{Forces, Mass};
+pub use friction::{Friction, Surfaces};
 pub use law::LAWS;
 pub use limit::Limit;
 pub use measure_functions::MEASURE_FUNCTIONS;
 pub use measurement::{ForceTerm, MeasureTerm, Measurement, ReactionPart};
 pub use mention::Mention;
 pub use motions::{mentions, resolve};
+pub use motor::Motor;
 pub use naming::Naming;
 pub use parameters::field_name;
 pub use ranges::{range_text, si_unit, value_text};
@@ -125,6 +129,8 @@ pub struct Mechanism {
     pub measurements: Vec<Measurement>,
     /// Ranges of measures, in source order; at most one for each measure.
     pub limits: Vec<Limit>,
+    /// Motors of drivers, in source order.
+    pub motors: Vec<Motor>,
     /// Clearances of pins.
     pub clearances: Vec<Clearance>,
     /// Requested outputs; all quantities if empty.

@@ -107,6 +107,8 @@ pub(super) fn resolve_statements<'a>(
             .help("declare one: `body 1 at (0, 0) { P: (1, 0) }`"),
         );
     }
+    let mut all = statements.iter();
+    resolver.declared.has_friction = all.any(|it| matches!(it, syntax::Statement::Friction(_)));
     let points = resolver.output_points();
     resolver.reject_columns(&points);
     let outputs = statements
@@ -163,6 +165,7 @@ pub(super) fn resolve_statements<'a>(
         points,
         measurements: resolver.declared.measurements,
         limits: resolver.declared.limits,
+        motors: resolver.declared.motors,
         clearances,
         requests,
         transmissions,
@@ -226,8 +229,10 @@ impl Resolver<'_> {
             syntax::Statement::Torque(torque) => self.add_torque(torque),
             syntax::Statement::Measure(measure) => self.add_measure(measure),
             syntax::Statement::Limit(limit) => self.add_limit(limit),
+            syntax::Statement::Motor(motor) => self.add_motor(motor),
             // Points are known after all bodies, and parameters and joints may follow.
             syntax::Statement::Clearance(_)
+            | syntax::Statement::Friction(_)
             | syntax::Statement::Request(_)
             | syntax::Statement::Units(_) => {}
             // The statements of motions are passed separately.

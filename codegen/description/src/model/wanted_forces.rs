@@ -9,11 +9,18 @@ use super::{ForceTerm, Role};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::syntax::{Name, RequestKind, Statement};
 
+/// Word of the statements that resist drivers in joints.
+const FRICTION: &str = "friction";
+
+/// Word of the statements that measure the forces of drivers at motors.
+const MOTOR: &str = "motor";
+
 impl Resolver<'_> {
     /// Returns masses, loads and requests.
     pub(super) fn wanted_forces(&mut self, statements: &[&Statement]) -> Forces {
         let mut forces = std::mem::take(&mut self.forces);
         forces.teeth = self.teeth();
+        forces.frictions = self.frictions(statements, &forces);
         if let Some((gravity, span)) = self.gravity {
             if forces.masses.is_empty() && !self.diagnostics.has_errors() {
                 self.diagnostics.push(
@@ -26,16 +33,24 @@ impl Resolver<'_> {
         }
         let measures = |is: fn(&ForceTerm) -> bool| self.measured_forces().any(|it| is(&it.0));
         let of_driver = measures(|it| matches!(it, ForceTerm::Effort(_) | ForceTerm::Power(_)));
-        forces.efforts = of_driver || self.has(RequestKind::Effort, statements);
+        let resists = !forces.frictions.is_empty();
+        forces.efforts = of_driver || resists || self.has(RequestKind::Effort, statements);
         forces.energy = self.has(RequestKind::Energy, statements);
         let every = self.has(RequestKind::Reactions, statements);
         forces.reactions = self.reactions(statements, every);
         forces.least_norm = self.has(RequestKind::LeastNorm, statements);
         let mut requests = asking(statements);
-        requests.extend(self.measured_forces().map(|(force, span)| match force {
-            ForceTerm::Effort(_) | ForceTerm::Power(_) => ("effort", span),
-            ForceTerm::Reaction(..) => ("reaction", span),
+        requests.extend(self.measured_forces().map(|(force, span)| {
+            let mut motors = self.declared.motors.iter();
+            let word = match force {
+                _ if motors.any(|it| it.span.range().contains(&span.range().start)) => MOTOR,
+                ForceTerm::Effort(_) | ForceTerm::Power(_) => "effort",
+                ForceTerm::Reaction(..) => "reaction",
+            };
+            (word, span)
         }));
+        let frictions = forces.frictions.iter();
+        requests.extend(frictions.map(|it| (FRICTION, it.span)));
         if let Some((word, span)) = requests.first() {
             let word = *word;
             let acts = !forces.masses.is_empty() || !forces.loads.is_empty();
@@ -70,8 +85,9 @@ impl Resolver<'_> {
                 .help(format!("give the bodies a mass: `mass {body} = 2kg;`")),
             );
         }
-        if let Some((_, span)) = requests.iter().find(|(word, _)| *word == "effort") {
-            self.require_drivers(*span, "has no effort along it", "`effort`");
+        let is_of_driver = |word: &str| matches!(word, "effort" | MOTOR | FRICTION);
+        if let Some((word, span)) = requests.iter().find(|(word, _)| is_of_driver(word)) {
+            self.require_drivers(*span, "has no effort along it", &format!("`{word}`"));
         }
         let reaction = requests
             .iter()

@@ -21,10 +21,12 @@ mod expression;
 mod files;
 mod forces;
 mod formula;
+mod friction;
 mod indexed;
 mod limit;
 mod literal;
 mod motion;
+mod motor;
 mod output;
 mod part;
 mod placed;
@@ -50,7 +52,9 @@ pub use files::named_files;
 pub(crate) use files::{is_relative, leaves_folder};
 pub use forces::{Center, Element, ElementKind, Force, Gravity, Mass, Torque};
 pub use formula::*;
+pub use friction::Friction;
 pub use limit::Limit;
+pub use motor::Motor;
 pub use output::LEVELS;
 pub(crate) use scan::block_comment_length;
 pub use scan::{Comment, Kind, Lexeme, lexemes, lexemes_and_comments};
@@ -70,7 +74,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const MAX_DEPTH: usize = 128;
 
 /// Words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 35] = [
+pub const KEYWORDS: [&str; 37] = [
     "const",
     "param",
     "input",
@@ -102,6 +106,8 @@ pub const KEYWORDS: [&str; 35] = [
     "measure",
     "limit",
     "clearance",
+    "friction",
+    "motor",
     "units",
     "motion",
     "repeat",
@@ -115,7 +121,7 @@ pub const BUILT_IN: &[&str] = &["t", "pi"];
 pub const AXES: [&str; 3] = ["x", "y", "phi"];
 
 /// Words within statements; each is special only in its position.
-pub const CLAUSES: [&str; 21] = [
+pub const CLAUSES: [&str; 25] = [
     "at",
     "turned",
     "facing",
@@ -126,6 +132,10 @@ pub const CLAUSES: [&str; 21] = [
     "free",
     "preload",
     "inertia",
+    "gear",
+    "efficiency",
+    "radius",
+    "over",
     "from",
     "to",
     "tolerance",

@@ -96,6 +96,18 @@ impl<'a> Renaming<'a> {
                 self.name(&mut limit.measure)?;
                 self.formulas(limit.ends.iter_mut().flatten())
             }
+            Statement::Friction(friction) => {
+                self.name(&mut friction.joint)?;
+                self.formula(&mut friction.coefficient)?;
+                self.formulas(&mut friction.radius)?;
+                self.formulas(&mut friction.length)
+            }
+            Statement::Motor(motor) => {
+                self.name(&mut motor.driver)?;
+                self.formulas(&mut motor.gear)?;
+                self.formulas(&mut motor.inertia)?;
+                self.formulas(&mut motor.efficiency)
+            }
             Statement::Request(request) => {
                 self.items(&mut request.items)?;
                 self.names(&mut request.names)

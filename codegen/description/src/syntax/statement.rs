@@ -15,9 +15,11 @@ use super::equation::equation;
 use super::expression::{after_expression, coordinates, expression};
 use super::forces::{self, ElementKind, valued};
 use super::formula::{Expression, Name};
+use super::friction::friction;
 use super::indexed;
 use super::limit::limit;
 use super::motion::motion;
+use super::motor::motor;
 use super::output::request;
 use super::reader::Outcome;
 use super::reference::{body_name, direction, identifier, operands, separator};
@@ -64,6 +66,8 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "measure" => constant(tokens, docs, first.span, "a measure").map(Statement::Measure),
         "clearance" => constant(tokens, docs, first.span, "a clearance").map(Statement::Clearance),
         "limit" => limit(tokens, docs, first.span),
+        "friction" => friction(tokens, docs, first.span),
+        "motor" => motor(tokens, docs, first.span),
         "units" => units(tokens, docs, first.span),
         "motion" => motion(tokens, docs, first.span),
         word => match REQUESTS.into_iter().find(|it| it.0 == word) {

@@ -169,6 +169,8 @@ impl Collector {
             | Statement::Torque(_)
             | Statement::Limit(_)
             | Statement::Clearance(_)
+            | Statement::Friction(_)
+            | Statement::Motor(_)
             | Statement::Units(_) => {}
         }
     }

@@ -105,11 +105,9 @@ impl<V: View> Followed<V> {
         self.warnings.extend(parted);
         let broken = self.broken_limits();
         self.warnings.extend(broken);
-        if let (None, Some((load, t))) = (&self.error, &self.infinite_load) {
+        if let (None, Some((reason, t))) = (&self.error, &self.no_forces) {
             let t = time(*t);
-            self.error = Some(format!(
-                "has no forces at t = {t} s: `{load}` is not finite there"
-            ));
+            self.error = Some(format!("has no forces at t = {t} s: {reason}"));
         }
         if let (Some(last), Some(number)) = (&self.last, self.count.checked_sub(1)) {
             let row = self.row(number, last, self.motions(last), self.reported(last));
@@ -194,6 +192,15 @@ impl<V: View> Followed<V> {
         }
         let squares = self.squares.iter_mut().zip(reported.iter().flatten());
         squares.for_each(|(square, &value)| square.add(instant.t(), value));
+        let first = self.force_count();
+        let measured = reported.as_deref().and_then(|it| it.get(first..));
+        let measured = measured.unwrap_or_default();
+        self.motors
+            .iter_mut()
+            .for_each(|it| it.see(instant.t(), measured));
+        if let Some(losses) = &mut self.losses {
+            losses.see(instant.t(), reported.as_deref().unwrap_or_default());
+        }
         let pressures = self.reported_names.iter().zip(reported.iter().flatten());
         for (pulls, ((name, _), force)) in self.pulls.iter_mut().zip(pressures) {
             if name.ends_with("_pressure") && *force < 0.0 {
@@ -243,18 +250,26 @@ impl<V: View> Followed<V> {
         Ok(())
     }
 
-    /// Records the first load that is not finite, if the forces are not.
+    /// Records the reason of the first forces that are not finite.
     fn see_infinite(&mut self, instant: &Instant, forces: Option<&[f64]>) {
         let are_finite = forces.is_some_and(|forces| forces.iter().all(|it| it.is_finite()));
-        if self.infinite_load.is_none() && !are_finite {
-            let load = load(
-                self.view.pool(),
-                self.view.system(),
-                self.view.layout(),
-                instant,
-            );
-            self.infinite_load = load.map(|load| (load, instant.t()));
+        if self.no_forces.is_some() || are_finite {
+            return;
         }
+        let load = load(
+            self.view.pool(),
+            self.view.system(),
+            self.view.layout(),
+            instant,
+        );
+        let reason = match (load, &self.losses) {
+            (Some(load), _) => format!("`{load}` is not finite there"),
+            (None, Some(_)) if forces.is_none() => {
+                "the forces of friction do not settle there, or the pose is singular".to_string()
+            }
+            (None, _) => return,
+        };
+        self.no_forces = Some((reason, instant.t()));
     }
 
     fn motions(&self, instant: &Instant) -> Vec<PointMotion> {

@@ -4,7 +4,9 @@ use linkwright::Failure;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::condition::Condition;
 use linkwright_solver::condition::{dimensionless, jacobian};
+use linkwright_solver::losses::Losses;
 use linkwright_solver::measures::{MeasuredPart, Measures};
+use linkwright_solver::motors::MotorPeaks;
 use linkwright_solver::pressure::PressureCheck;
 use linkwright_solver::residuals::ResidualCheck;
 use linkwright_solver::textbook::TextbookEquations;
@@ -81,6 +83,10 @@ pub struct Followed<V: View> {
     pub extremes: Vec<[(f64, f64); 2]>,
     /// Root mean squares of them over time.
     pub squares: Vec<MeanSquare>,
+    /// Worst points of motors.
+    pub motors: Vec<MotorPeaks>,
+    /// Losses by friction; `None` without friction.
+    pub losses: Option<Losses>,
     /// First time (s) at which bodies that press on one another would have to pull, by index of the force; `None` if there is none.
     pub pulls: Vec<Option<f64>>,
     /// Names of the measures; empty unless they are requested.
@@ -95,8 +101,8 @@ pub struct Followed<V: View> {
     pub failure: Option<EarlyEnd>,
     /// Cost of the integration; `None` if drivers determine the motion.
     pub simulated: Option<Simulated>,
-    /// First load that is not finite, and its time (s).
-    pub(super) infinite_load: Option<(String, f64)>,
+    /// Reason of the first forces that are not finite, and their time (s).
+    pub(super) no_forces: Option<(String, f64)>,
     /// Last requested instant.
     pub(super) last: Option<Instant>,
     pub(super) moved: Option<Moved<V>>,
@@ -155,13 +161,15 @@ impl<V: View> Followed<V> {
             largest_reported: vec![(0.0, start); reported_names.len()],
             extremes: vec![NO_EXTREMES; reported_names.len()],
             squares: vec![MeanSquare::default(); reported_names.len()],
+            motors: MotorPeaks::of(&system.mechanism),
+            losses: Losses::of(view.pool(), system),
             pulls: vec![None; reported_names.len()],
             reported_names,
             measure_names: monitored.map(name).collect(),
             smallest_measure: None,
             warnings: Vec::new(),
             simulated: None,
-            infinite_load: None,
+            no_forces: None,
             last: None,
             measures,
             failure: refused.as_ref().map(|it| EarlyEnd::from(&it.failure)),
@@ -176,6 +184,12 @@ impl<V: View> Followed<V> {
     pub fn force_count(&self) -> usize {
         let measures = self.system().mechanism.measurements.len();
         self.reported_names.len().saturating_sub(measures)
+    }
+
+    /// Returns the root mean square of the torque of a motor.
+    pub fn rms_torque(&self, motor: &MotorPeaks) -> Option<f64> {
+        let torque = self.force_count() + motor.measurements[0];
+        self.squares.get(torque).map(MeanSquare::root)
     }
 
     /// Converts a motion without instants to another formulation of the same mechanism.
@@ -197,6 +211,8 @@ impl<V: View> Followed<V> {
             largest_reported: self.largest_reported,
             extremes: self.extremes,
             squares: self.squares,
+            motors: self.motors,
+            losses: self.losses,
             pulls: self.pulls,
             measure_names: self.measure_names,
             smallest_measure: self.smallest_measure,
@@ -204,7 +220,7 @@ impl<V: View> Followed<V> {
             error: self.error,
             failure: self.failure,
             simulated: self.simulated,
-            infinite_load: self.infinite_load,
+            no_forces: self.no_forces,
             last: self.last,
             moved: None,
             measures: view.measures(),

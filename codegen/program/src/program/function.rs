@@ -187,6 +187,19 @@ pub enum Statement {
         /// f, one expression per unknown.
         forces: Vec<ExprId>,
     },
+    /// Solution for the forces of friction in joints, pins before slides.
+    Friction {
+        /// Number of pins.
+        pins: usize,
+        /// Force or moment of friction, one per joint; `None` if a force is not needed.
+        targets: Vec<Option<SymbolId>>,
+        /// Forces over the magnitudes of reactions, with the sign of what resists sliding.
+        coefficients: Vec<ExprId>,
+        /// Both components of each reaction without friction.
+        alone: Vec<[ExprId; 2]>,
+        /// Components of each reaction to a unit of each force, joint by joint.
+        units: Vec<[ExprId; 2]>,
+    },
     /// Factorization of the block's Jacobian at the solution of Newton-Raphson.
     Factorize,
     /// Solution of a linear system with the factorized Jacobian.
@@ -230,6 +243,15 @@ impl Statement {
             Statement::Multipliers {
                 jacobian, forces, ..
             } => jacobian.iter().chain(forces).copied().collect(),
+            Statement::Friction {
+                coefficients,
+                alone,
+                units,
+                ..
+            } => {
+                let pairs = alone.iter().chain(units).flatten();
+                coefficients.iter().chain(pairs).copied().collect()
+            }
             Statement::Require { value, .. } => vec![*value],
             Statement::Isolate {
                 bounds,
@@ -276,6 +298,15 @@ impl Statement {
             Statement::Multipliers {
                 jacobian, forces, ..
             } => jacobian.iter_mut().chain(forces).collect(),
+            Statement::Friction {
+                coefficients,
+                alone,
+                units,
+                ..
+            } => {
+                let pairs = alone.iter_mut().chain(units).flatten();
+                coefficients.iter_mut().chain(pairs).collect()
+            }
             Statement::Require { value, .. } => vec![value],
             Statement::Isolate {
                 bounds,
@@ -310,9 +341,9 @@ impl Statement {
             Statement::Let { target, .. } | Statement::Angle { target, .. } => vec![*target],
             Statement::SineCosine { sine, cosine, .. } => vec![*sine, *cosine],
             Statement::Lookup { targets, .. } => targets.iter().copied().flatten().collect(),
-            Statement::Solve { targets, .. } | Statement::Multipliers { targets, .. } => {
-                targets.iter().copied().flatten().collect()
-            }
+            Statement::Solve { targets, .. }
+            | Statement::Multipliers { targets, .. }
+            | Statement::Friction { targets, .. } => targets.iter().copied().flatten().collect(),
             Statement::Signal { found, .. } => found.to_vec(),
             Statement::Isolate {
                 found, variation, ..

@@ -56,6 +56,7 @@ impl MeasureStatements {
         for (place, measurement) in mechanism.measurements.iter().enumerate() {
             let mut requests = mechanism.requests.iter();
             let is_requested = mechanism.requests.is_empty()
+                || mechanism.motors.iter().any(|it| it.has(place))
                 || requests.any(|it| it.quantity == Requested::Measure(place))
                 || mechanism.limits.iter().any(|it| it.measurement == place);
             let Some(&value) = system.measures.values.get(place).filter(|_| is_requested) else {

@@ -35,7 +35,7 @@ mod two_links;
 pub use addends::{Addend, Compared, Power, addends, compared};
 pub use arithmetic::{Arithmetic, Choice, Elementary, Evaluation};
 pub use block::{Block, Branch, Measured, NewtonBlock, PageName};
-pub use forces::{Effort, Energy, Forces, FreeCoordinate, Reaction, Reduced};
+pub use forces::{Effort, Energy, Forces, FreeCoordinate, Reaction, Reduced, Resistance};
 pub use forms::{DrawnMode, sign_of};
 pub use function::{Function, Level, Statement};
 pub use lengths::Lengths;

@@ -8,7 +8,7 @@ use super::passes::sharing::share_all;
 use crate::expr::{ExprId, Graph, Number, Rational, SymbolId};
 use crate::joint::geometry::{length, subtract};
 use crate::joint::{Feature, Mesh};
-use crate::model::{Mass, Mechanism};
+use crate::model::{Mass, Mechanism, Surfaces};
 use crate::pool::{Pool, SymbolRole};
 use crate::system::System;
 
@@ -160,6 +160,42 @@ fn of_forces(mechanism: &Mechanism, graph: &mut Graph) -> Vec<Required> {
             let value = positive_unless_zero(value, graph);
             required.push(Required { owner, what, value });
         }
+    }
+    for friction in &forces.frictions {
+        let owner = &mechanism.joints[friction.joint].label;
+        let coefficient = positive_unless_zero(friction.coefficient, graph);
+        let mut values = vec![("the coefficient of friction, unless zero,", coefficient)];
+        values.extend(match friction.surfaces {
+            Surfaces::Pin(radius) => Some(("the radius of the pin", radius)),
+            Surfaces::Slide(length) => length.map(|it| ("the length of the slide", it)),
+        });
+        required.extend(values.into_iter().map(|(what, value)| Required {
+            owner: owner.clone(),
+            what,
+            value,
+        }));
+    }
+    for motor in &mechanism.motors {
+        let owner = format!("motor of {}", mechanism.joints[motor.joint].label);
+        let one = graph.one();
+        let lost = graph.subtract(one, motor.efficiency);
+        let values = [
+            ("the ratio of the gear", motor.gear),
+            ("the efficiency", motor.efficiency),
+            (
+                "1 less the efficiency, unless zero,",
+                positive_unless_zero(lost, graph),
+            ),
+            (
+                "the moment of inertia, unless zero,",
+                positive_unless_zero(motor.inertia, graph),
+            ),
+        ];
+        required.extend(values.map(|(what, value)| Required {
+            owner: owner.clone(),
+            what,
+            value,
+        }));
     }
     required
 }

@@ -9,6 +9,7 @@
 use std::collections::BTreeMap;
 
 use super::carried::Carried;
+use super::measures::measures;
 use super::{System, VectorForm, VectorRow};
 use crate::expr::{ExprId, Number, Rational, SymbolId};
 use crate::force::{Place, Rated, moment};
@@ -225,6 +226,9 @@ impl System {
             .chain([&mut forces.kinetic, &mut forces.added])
         {
             *value = graph.substitute(*value, &still);
+        }
+        if !self.mechanism.motors.is_empty() {
+            self.measures = measures(&self, pool);
         }
         self
     }

@@ -61,10 +61,16 @@ pub enum ForceColumn {
     PotentialEnergy,
     /// Power of dampers, forces and torques.
     AddedPower,
+    /// Friction on the second body of a joint: an index into the mechanism's joints.
+    Friction(usize),
+    /// Power of all drivers without friction.
+    FrictionlessPower,
+    /// Power of all drivers with the friction of the motion in reverse.
+    BackwardPower,
 }
 
 impl System {
-    /// Returns the columns of requested forces: efforts with powers, then reactions, then energies.
+    /// Returns the columns of requested forces: efforts with powers, then reactions, then energies, then friction.
     pub fn force_columns(&self, pool: &mut Pool) -> Vec<ForceColumn> {
         let requests = &self.mechanism.forces;
         let mut columns = Vec::new();
@@ -88,6 +94,11 @@ impl System {
                 ForceColumn::AddedPower,
             ]);
         }
+        if !requests.frictions.is_empty() {
+            let frictions = requests.frictions.iter();
+            columns.extend(frictions.map(|it| ForceColumn::Friction(it.joint)));
+            columns.extend([ForceColumn::FrictionlessPower, ForceColumn::BackwardPower]);
+        }
         columns
     }
 }
@@ -103,7 +114,8 @@ pub(super) fn measures(system: &System, pool: &mut Pool) -> Measures {
         false => Vec::new(),
     };
     let mut earlier: Vec<(SymbolId, ExprId)> = Vec::new();
-    for measurement in &mechanism.measurements {
+    for (place, measurement) in mechanism.measurements.iter().enumerate() {
+        let is_still = mechanism.forces.at_rest && mechanism.motors.iter().any(|it| it.has(place));
         let mut replaced = earlier.clone();
         for (mark, symbols) in &measurement.marks {
             let mark = system
@@ -118,6 +130,7 @@ pub(super) fn measures(system: &System, pool: &mut Pool) -> Measures {
                 MeasureTerm::Force(force) => {
                     force_value(*force, &columns, &mut measures, system, pool)
                 }
+                MeasureTerm::Rate(_) if is_still => pool.graph.zero(),
                 MeasureTerm::Rate(formula) => {
                     let formula = pool.graph.substitute(*formula, &replaced);
                     pool.rate(formula)

@@ -89,6 +89,12 @@ fn add(reads: &mut Reads, code: &Code, operation: &Operation) -> Option<bool> {
             }
             reads.add(jacobian.iter().chain(forces).copied());
         }
+        Operation::Friction { targets, joints } => {
+            if !targets.iter().flatten().any(|it| reads.has(*it)) {
+                return Some(false);
+            }
+            reads.add(joints.read());
+        }
         Operation::Newton
         | Operation::Factorize
         | Operation::Solve { .. }

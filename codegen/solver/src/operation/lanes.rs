@@ -9,7 +9,7 @@ use linkwright_codegen::stages::expr::{Code, LANES, Lanes, Register};
 use linkwright_math::double;
 use nalgebra::{DMatrix, DVector};
 
-use super::Operation;
+use super::{FrictionJoints, Operation};
 
 /// Runs an operation; returns the lanes that fail, all of them for an operation of Newton-Raphson.
 #[inline(always)]
@@ -54,6 +54,10 @@ pub(crate) fn run_lanes(
             ref jacobian,
             ref forces,
         } => Mask::of(|lane| !solve_multipliers(targets, jacobian, forces, lane, registers)),
+        Operation::Friction {
+            ref targets,
+            ref joints,
+        } => Mask::of(|lane| !settle_friction(targets, joints, lane, registers)),
         Operation::Newton
         | Operation::Factorize
         | Operation::Solve { .. }
@@ -79,6 +83,25 @@ fn solve_multipliers(
         return false;
     }
     for (target, value) in targets.iter().zip(solution.iter()) {
+        if let Some(target) = target {
+            registers[target.index()].0[lane] = *value;
+        }
+    }
+    true
+}
+
+/// Solves for the forces of friction in one lane; false if they do not settle.
+#[inline(never)]
+fn settle_friction(
+    targets: &[Option<Register>],
+    joints: &FrictionJoints,
+    lane: usize,
+    registers: &mut [Lanes],
+) -> bool {
+    let Ok(forces) = joints.forces(|register| registers[register.index()].0[lane]) else {
+        return false;
+    };
+    for (target, value) in targets.iter().zip(forces.iter()) {
         if let Some(target) = target {
             registers[target.index()].0[lane] = *value;
         }

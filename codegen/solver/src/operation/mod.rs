@@ -1,6 +1,7 @@
 //! Executes operations of a function on registers.
 
 mod arithmetic;
+mod friction;
 mod isolation;
 mod lanes;
 mod writer;
@@ -16,6 +17,7 @@ use linkwright_codegen::stages::expr::{Code, Register};
 
 use nalgebra::{DMatrix, DVector};
 
+pub(crate) use friction::FrictionJoints;
 pub(crate) use isolation::Isolation;
 pub(crate) use lanes::run_lanes;
 pub(crate) use writer::Writer;
@@ -59,6 +61,11 @@ pub(crate) enum Operation {
         /// Row by row.
         jacobian: Vec<Register>,
         forces: Vec<Register>,
+    },
+    /// Solves for the forces of friction in joints.
+    Friction {
+        targets: Vec<Option<Register>>,
+        joints: FrictionJoints,
     },
     /// Finds the bounds of an input.
     Signal {
@@ -128,6 +135,19 @@ pub(crate) fn run(
             multipliers::solve(&matrix, &mut solution)
                 .map_err(|kind| linkwright::generated::failed(kind, t, block))?;
             for (target, value) in targets.iter().zip(solution.iter()) {
+                if let Some(target) = target {
+                    registers[target.index()] = *value;
+                }
+            }
+        }
+        Operation::Friction {
+            ref targets,
+            ref joints,
+        } => {
+            let forces = joints
+                .forces(|register| registers[register.index()])
+                .map_err(|kind| linkwright::generated::failed(kind, t, block))?;
+            for (target, value) in targets.iter().zip(forces.iter()) {
                 if let Some(target) = target {
                     registers[target.index()] = *value;
                 }

@@ -10,7 +10,7 @@ use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::program::{Evaluation, Function, Program, Statement};
 use linkwright_codegen::stages::system::System;
 
-use super::{Isolation, Operation};
+use super::{FrictionJoints, Isolation, Operation};
 
 /// Writes the operations of one function after another.
 pub(crate) struct Writer<'a> {
@@ -225,6 +225,30 @@ impl<'a> Writer<'a> {
                 forces: self.values(forces, evaluation),
                 targets: self.targets(targets),
             },
+            Statement::Friction {
+                pins,
+                targets,
+                coefficients,
+                alone,
+                units,
+            } => {
+                let coefficients = self.values(coefficients, evaluation);
+                let [alone, units] = [alone, units].map(|pairs| {
+                    let pairs = pairs.iter();
+                    pairs
+                        .map(|pair| pair.map(|it| self.value(it, evaluation)))
+                        .collect()
+                });
+                Operation::Friction {
+                    joints: FrictionJoints {
+                        pins: *pins,
+                        coefficients,
+                        alone,
+                        units,
+                    },
+                    targets: self.targets(targets),
+                }
+            }
             Statement::Signal { input, found } => Operation::Signal {
                 input: *input,
                 found: found.map(|symbol| self.found(symbol)),

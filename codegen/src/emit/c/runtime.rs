@@ -7,11 +7,12 @@ use super::statuses;
 use crate::emit::scalar::Scalar;
 
 /// Parts for both scalars; each uses only those before it.
-const PARTS: [&str; 16] = [
+const PARTS: [&str; 17] = [
     include_str!("runtime/angle.c"),
     include_str!("runtime/closed_form.c"),
     include_str!("runtime/linear.c"),
     include_str!("runtime/multipliers.c"),
+    include_str!("runtime/friction.c"),
     include_str!("runtime/newton.c"),
     include_str!("runtime/assembly.c"),
     include_str!("runtime/torn.c"),

@@ -157,6 +157,24 @@ impl Printer<'_> {
                 let forces = forces.iter().map(write).collect::<Vec<_>>().join(", ");
                 self.multipliers(targets, [&jacobian, &forces], (order, block), scope, text);
             }
+            Statement::Friction {
+                pins,
+                targets,
+                coefficients,
+                alone,
+                units,
+            } => {
+                let list = |values: Vec<&ExprId>| {
+                    let values = values.into_iter().map(write);
+                    values.collect::<Vec<_>>().join(", ")
+                };
+                let values = [
+                    list(coefficients.iter().collect()),
+                    list(alone.iter().flatten().collect()),
+                    list(units.iter().flatten().collect()),
+                ];
+                self.friction(targets, &values, (*pins, block), scope, text);
+            }
             Statement::Signal { input, found } => self.signal(*input, found, scope, text),
             Statement::Require { value, block } => {
                 let number = self.module.block_number(*block);
@@ -267,18 +285,63 @@ impl Printer<'_> {
         text.line(format!(
             "const linkwright_status {name}_status = {call}({order}U, {name}_jacobian, {name}_found, {name}_reals, {name}_exchanges, conditions, {block}U);"
         ));
-        let fails = format!("({name}_status != LINKWRIGHT_OK)");
-        if scope.is_in_lanes() {
-            text.line(format!("failed |= {fails} ? 1U : 0U;"));
-        } else {
-            text.open(format!("if {fails} {{"));
-            text.line(format!("return {name}_status;"));
-            text.close("}");
-        }
+        self.unless_ok(&format!("{name}_status"), scope, text);
         for (place, target) in targets.iter().enumerate() {
             if let Some(target) = target {
                 self.assign(*target, &format!("{name}_found[{place}]"), scope, text);
             }
+        }
+    }
+
+    /// Writes the call that finds the forces of friction. Each has its own arrays, since a function may have several.
+    fn friction(
+        &self,
+        targets: &[Option<SymbolId>],
+        values: &[String; 3],
+        (pins, block): (usize, usize),
+        scope: &Scope<'_>,
+        text: &mut Code,
+    ) {
+        let first = targets.iter().copied().flatten().next();
+        let first = first.map_or(String::new(), |it| self.symbol(it, scope));
+        let name = last_name(&first);
+        let (real, call) = (self.real(), self.runtime("friction"));
+        let joints = self.runtime("friction_joints");
+        let order = targets.len();
+        let room = 2 * order * order + 5 * order;
+        let parts = ["coefficients", "alone", "units"];
+        let lengths = [order, 2 * order, 2 * order * order];
+        for ((part, length), values) in parts.into_iter().zip(lengths).zip(values) {
+            text.line(format!(
+                "const {real} {name}_{part}[{length}] = {{{values}}};"
+            ));
+        }
+        text.line(format!(
+            "const {joints} {name}_joints = {{{order}U, {pins}U, {name}_coefficients, {name}_alone, {name}_units}};"
+        ));
+        text.line(format!("{real} {name}_found[{order}];"));
+        text.line(format!("{real} {name}_reals[{room}];"));
+        text.line(format!("uint16_t {name}_exchanges[{order}];"));
+        text.line(format!(
+            "const linkwright_status {name}_status = {call}(&{name}_joints, {name}_found, {name}_reals, {name}_exchanges, conditions, {block}U);"
+        ));
+        self.unless_ok(&format!("{name}_status"), scope, text);
+        for (place, target) in targets.iter().enumerate() {
+            if let Some(target) = target {
+                self.assign(*target, &format!("{name}_found[{place}]"), scope, text);
+            }
+        }
+    }
+
+    /// Returns a status that is not OK; in lanes, those that fail are collected.
+    fn unless_ok(&self, status: &str, scope: &Scope<'_>, text: &mut Code) {
+        let fails = format!("({status} != LINKWRIGHT_OK)");
+        if scope.is_in_lanes() {
+            text.line(format!("failed |= {fails} ? 1U : 0U;"));
+        } else {
+            text.open(format!("if {fails} {{"));
+            text.line(format!("return {status};"));
+            text.close("}");
         }
     }
 

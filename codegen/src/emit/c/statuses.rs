@@ -13,7 +13,7 @@ struct Status {
 }
 
 /// All failures.
-const STATUSES: [Status; 13] = [
+const STATUSES: [Status; 14] = [
     Status {
         name: "LINKWRIGHT_SINGULAR",
         number: 1,
@@ -113,6 +113,15 @@ const STATUSES: [Status; 13] = [
             "is its index, counted from 1; for a parameter the column is 0, and the block is its index.",
         ],
         words: "a value is outside of its range",
+    },
+    Status {
+        name: "LINKWRIGHT_FRICTION_UNSETTLED",
+        number: 14,
+        about: &[
+            "The forces of friction in joints do not settle: the reactions grow with the friction that they cause, as in a",
+            "mechanism that jams. The value is the change in the last step, relative to the largest force.",
+        ],
+        words: "the forces of friction do not settle",
     },
 ];
 

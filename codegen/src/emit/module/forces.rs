@@ -3,22 +3,25 @@
 use super::Module;
 use super::accessors::Accessor;
 use crate::joint::Quantity;
-use crate::program::{Effort, Energy, FreeCoordinate, Reaction, Reduced};
+use crate::program::{Effort, Energy, FreeCoordinate, Reaction, Reduced, Resistance};
 use crate::system::Component;
 
-/// Returns all functions, in this order: efforts and powers of drivers, reactions of joints, energies, reduced masses and forces of the
-/// free coordinates.
+/// Returns all functions, in this order: efforts and powers of drivers, reactions of joints, energies, friction, reduced masses and
+/// forces of the free coordinates.
 pub(in crate::emit) fn force_functions(module: &Module<'_>) -> Vec<Accessor> {
     let forces = &module.program.forces;
     let efforts = forces.efforts.iter().flat_map(|it| of_effort(it, module));
     let reactions = forces.reactions.iter();
     let reactions = reactions.flat_map(|it| of_reaction(it, module));
     let energy = forces.energy.iter().flat_map(of_energy);
+    let resistance = forces.resistance.iter();
+    let resistance = resistance.flat_map(|it| of_resistance(it, module));
     let reduced = forces.reduced.iter();
     let reduced = reduced.flat_map(|it| of_reduced(it, module));
     efforts
         .chain(reactions)
         .chain(energy)
+        .chain(resistance)
         .chain(reduced)
         .collect()
 }
@@ -172,4 +175,36 @@ fn of_energy(energy: &Energy) -> [Accessor; 3] {
             "Power (W) that dampers, forces and torques supply, negative if they absorb it.",
         ),
     ]
+}
+
+fn of_resistance(resistance: &Resistance, module: &Module<'_>) -> Vec<Accessor> {
+    let mechanism = &module.system.mechanism;
+    let frictions = mechanism.forces.frictions.iter();
+    let joints = resistance.joints.iter().zip(frictions);
+    let mut functions: Vec<Accessor> = joints
+        .map(|(&(joint, field), friction)| {
+            let joint = &mechanism.joints[joint];
+            let what = match friction.is_pin() {
+                true => "Moment (N·m) of friction",
+                false => "Force (N) of friction along the line",
+            };
+            let line = format!("{what} of `{}` on its second body.", joint.label);
+            Accessor::of_fields(format!("friction_{}", joint.slug), &[field], line)
+        })
+        .collect();
+    let powers = [
+        (
+            "frictionless_power",
+            resistance.frictionless_power,
+            "Power (W) of all drivers without friction.",
+        ),
+        (
+            "backward_power",
+            resistance.backward_power,
+            "Power (W) of all drivers with the friction of the motion in reverse. If it is negative while that without friction is positive, the load cannot drive the mechanism backwards.",
+        ),
+    ];
+    let powers = powers.map(|(name, field, line)| Accessor::of_fields(name.into(), &[field], line));
+    functions.extend(powers);
+    functions
 }

@@ -70,6 +70,7 @@ fn is_check(statement: &Statement) -> bool {
             | Statement::Nonzero { .. }
             | Statement::Positive { .. }
             | Statement::Multipliers { .. }
+            | Statement::Friction { .. }
     )
 }
 

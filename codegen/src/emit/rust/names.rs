@@ -103,6 +103,7 @@ const ITEMS: &[&str] = &[
     "largest_length",
     "singular_divisor",
     "multipliers",
+    "friction",
     "drawn",
     "describe",
     "monitored",
@@ -133,6 +134,8 @@ const PREFIXES: &[&str] = &[
 /// Arguments and local values of generated functions, whose names no value of a description gets.
 const LOCAL_VALUES: &[&str] = &[
     "balance",
+    "resisting",
+    "unsettled",
     "singular",
     "failed",
     "lanes",

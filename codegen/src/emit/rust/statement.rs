@@ -234,6 +234,34 @@ impl Scope<'_> {
                 }
                 self.distribute(targets, "balance", code);
             }
+            Statement::Friction {
+                pins,
+                targets,
+                coefficients,
+                alone,
+                units,
+            } => {
+                let pairs = |pairs: &[[ExprId; 2]]| {
+                    let pairs = pairs.iter().map(|it| format!("[{}]", self.values(it)));
+                    pairs.collect::<Vec<_>>().join(", ")
+                };
+                let rows = units.chunks(coefficients.len());
+                let rows: Vec<String> = rows.map(|row| format!("[{}]", pairs(row))).collect();
+                let (rows, alone) = (rows.join(", "), pairs(alone));
+                let coefficients = self.values(coefficients);
+                let arguments = format!("{pins}, [{coefficients}], [{alone}], [{rows}]");
+                if self.is_in_lanes() {
+                    code.line(format!(
+                        "let (resisting, unsettled) = friction({arguments});"
+                    ));
+                    code.line("failed |= unsettled;");
+                } else {
+                    code.line(format!(
+                        "let resisting = friction({arguments}, t, {block})?;"
+                    ));
+                }
+                self.distribute(targets, "resisting", code);
+            }
             Statement::Solve {
                 targets,
                 right_hand_side,

@@ -19,7 +19,9 @@ use std::sync::Arc;
 
 use super::forces::{Element, Force, Gravity, Mass, Torque};
 use super::formula::{Expression, Name};
+use super::friction::Friction;
 use super::limit::Limit;
+use super::motor::Motor;
 use super::scope::{Expansion, Spellings};
 use crate::diagnostic::{Attachment, Span};
 use crate::units::OutputUnits;
@@ -99,6 +101,10 @@ pub enum Statement {
     Limit(Limit),
     /// `clearance P = 0.05mm;`: radial clearance of a pin.
     Clearance(Constant),
+    /// `friction P = 0.1 radius 6mm;`: Coulomb friction in a joint.
+    Friction(Friction),
+    /// `motor crank gear 50 inertia 2e-5kg*m^2 efficiency 0.8;`: motor of a driver.
+    Motor(Motor),
     /// `output K, phi(1);`, `sensitivity L2;`, `reaction P;`, `monitor;`
     Request(Request),
     /// `units mm, deg;`
@@ -152,6 +158,8 @@ impl Statement {
             Statement::Force(statement) => statement.span,
             Statement::Torque(statement) => statement.span,
             Statement::Limit(statement) => statement.span,
+            Statement::Friction(statement) => statement.span,
+            Statement::Motor(statement) => statement.span,
             Statement::Request(statement) => statement.span,
             Statement::Units(statement) => statement.span,
             Statement::Motion(statement) => statement.span,

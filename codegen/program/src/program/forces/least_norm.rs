@@ -7,9 +7,9 @@
 //! row per monitored row and a positive definite matrix.
 
 use super::characteristic;
-use super::free_bodies;
 use super::reaction::{Multipliers, components};
-use super::virtual_work::{Carried, sweep};
+use super::unit::{Superposed, transmitted};
+use super::virtual_work::Carried;
 use crate::expr::{ExprId, Node, SymbolId};
 use crate::model::Role;
 use crate::program::builder::Builder;
@@ -19,33 +19,13 @@ use crate::structure::SolvedPlan;
 use crate::system::Component;
 use crate::words::Piece;
 
-/// Reactions with the least norm.
-pub(super) struct Shared {
-    /// Multipliers of all rows.
-    pub multipliers: Multipliers,
-    /// Reactions of other rows to a unit of each monitored row, and the amount of this unit.
-    units: Vec<(Carried, ExprId)>,
-}
-
-impl Shared {
-    /// Returns the work of these reactions along the value of a driver.
-    pub fn along(&self, shift: SymbolId, builder: &mut Builder<'_>) -> ExprId {
-        let terms = self.units.iter().map(|(unit, share)| {
-            let work = unit.along(shift, builder);
-            builder.graph().multiply(*share, work)
-        });
-        let terms: Vec<ExprId> = terms.collect();
-        builder.graph().sum(&terms)
-    }
-}
-
 /// Returns the multipliers of all rows with the least norm, from those of the vector form alone.
 pub(super) fn shared(
     plan: &SolvedPlan,
     transposed: &[Vec<Option<Transposed>>],
     alone: Vec<ExprId>,
     builder: &mut Builder<'_>,
-) -> Shared {
+) -> Superposed {
     let (zero, one) = (builder.graph().zero(), builder.graph().one());
     let count = builder.system.monitored.len();
     let mut units: Vec<(Carried, Multipliers)> = Vec::with_capacity(count);
@@ -57,30 +37,7 @@ pub(super) fn shared(
             format!("Rigid bodies leave open what {label} carries. A unit of it, share {number}, is balanced by these:").into()
         });
         let prefix = format!("unit_{}_", row + 1);
-        let load = load.into_iter().enumerate();
-        let load = load.map(|(unknown, value)| {
-            let name = builder.system.unknown_name(unknown).to_string();
-            builder.value(&format!("{prefix}load_{name}"), value)
-        });
-        let load: Vec<ExprId> = load.collect();
-        let carried = sweep(plan, transposed, &load, &prefix, builder);
-        let multipliers = free_bodies::multipliers(plan, &load, &carried, &prefix, builder);
-        let values = multipliers.into_iter();
-        let rows = values.enumerate().map(|(place, value)| {
-            let name = free_bodies::named(&format!("{prefix}carried"), place, builder);
-            let named = builder.value(&name, value);
-            if value != zero && builder.graph().is_constant(value) {
-                builder.show(|_| {
-                    vec![[
-                        Piece::Local(name).into(),
-                        Piece::Formula(value).into(),
-                        "".into(),
-                    ]]
-                });
-            }
-            named
-        });
-        let rows = rows.collect();
+        let (carried, rows) = transmitted(load, &prefix, plan, transposed, builder);
         let mut monitored = vec![zero; count];
         monitored[row] = one;
         units.push((carried, Multipliers { rows, monitored }));
@@ -93,22 +50,9 @@ pub(super) fn shared(
         "Any multiple of these may be added; the squares of all forces, and of all moments over the characteristic length, have the least sum where:".into()
     });
     let shares = shares(&alone, &units, builder);
-    let mut shared = alone;
-    for (place, multiplier) in shared.rows.iter_mut().enumerate() {
-        let mut terms = vec![*multiplier];
-        for ((_, unit), &share) in units.iter().zip(&shares) {
-            terms.push(builder.graph().multiply(share, unit.rows[place]));
-        }
-        let sum = builder.graph().sum(&terms);
-        let name = free_bodies::named("shared", place, builder);
-        *multiplier = builder.value(&name, sum);
-    }
-    shared.monitored.clone_from(&shares);
-    let units = units.into_iter().map(|(carried, _)| carried);
-    Shared {
-        multipliers: shared,
-        units: units.zip(shares).collect(),
-    }
+    let mut shared = Superposed::new(&alone, units, &shares, "shared", builder);
+    shared.multipliers.monitored = shares;
+    shared
 }
 
 /// Returns the loads of a unit multiplier of each monitored row on every unknown.

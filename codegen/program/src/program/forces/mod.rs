@@ -5,18 +5,21 @@
 //! transposed). Unrequested forces are pruned like all other values.
 
 mod free_bodies;
+mod friction;
 mod least_norm;
 mod reaction;
 mod reduced;
 mod teeth;
+mod unit;
 mod virtual_work;
 
 pub use reaction::Reaction;
 pub use reduced::{FreeCoordinate, Reduced};
 
-use least_norm::Shared;
+use friction::Resisted;
 use reaction::Multipliers;
 use teeth::ToothForces;
+use unit::Superposed;
 
 use super::block::{Block, Lowering};
 use super::builder::Builder;
@@ -39,6 +42,27 @@ pub struct Forces {
     pub energy: Option<Energy>,
     /// Reduced masses and forces of the free coordinates, if any.
     pub reduced: Option<Reduced>,
+    /// Friction; `None` without it.
+    pub resistance: Option<Resistance>,
+}
+
+/// Fields of friction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Resistance {
+    /// Joints with friction: the index into the mechanism's joints, and the friction on the second body, in N or N·m.
+    pub joints: Vec<(usize, SymbolId)>,
+    /// Power of all drivers without friction, in W.
+    pub frictionless_power: SymbolId,
+    /// Power of all drivers with the friction of the motion in reverse, in W.
+    pub backward_power: SymbolId,
+}
+
+impl Resistance {
+    /// Returns all fields.
+    pub fn fields(&self) -> impl Iterator<Item = SymbolId> {
+        let joints = self.joints.iter().map(|it| it.1);
+        joints.chain([self.frictionless_power, self.backward_power])
+    }
 }
 
 /// Driving force or torque of a driver.
@@ -81,7 +105,12 @@ impl Forces {
         let reactions = self.reactions.iter().flat_map(Reaction::fields);
         let energy = self.energy.iter();
         let energy = energy.flat_map(|it| [it.kinetic, it.potential, it.added]);
-        efforts.chain(reactions).chain(energy).collect()
+        let resistance = self.resistance.iter().flat_map(Resistance::fields);
+        efforts
+            .chain(reactions)
+            .chain(energy)
+            .chain(resistance)
+            .collect()
     }
 }
 
@@ -104,6 +133,7 @@ pub(super) fn forces(
         builder.nonzero(length, scale);
     }
     let mut forces = Forces::default();
+    let mut lost = None;
     builder.heading(headline(&requested));
     if requested.need_multipliers() {
         builder.say(|_| {
@@ -116,15 +146,21 @@ pub(super) fn forces(
             let alone = alone(plan, &named, &carried, &mut builder);
             least_norm::shared(plan, transposed, alone, &mut builder)
         });
+        let resisted = (!requested.frictions.is_empty()).then(|| {
+            let alone = alone(plan, &named, &carried, &mut builder);
+            Resisted::new(alone, plan, transposed, &mut builder)
+        });
+        let of_friction = resisted.as_ref().map(|it| &it.superposed);
+        let superposed = shared.as_ref().or(of_friction);
         if requested.efforts {
-            forces.efforts = efforts(&carried, shared.as_ref(), &mut builder);
+            forces.efforts = efforts(&carried, superposed, &mut builder);
         }
         if !requested.free.is_empty() {
             forces.reduced = Some(reduced::reduced(&carried, &loads.weights, &mut builder));
         }
         if !requested.reactions.is_empty() {
-            let multipliers = match shared {
-                Some(shared) => shared.multipliers,
+            let multipliers = match superposed {
+                Some(superposed) => superposed.multipliers.clone(),
                 None => Multipliers {
                     rows: alone(plan, &named, &carried, &mut builder),
                     monitored: Vec::new(),
@@ -136,13 +172,21 @@ pub(super) fn forces(
                 joints.map(|&joint| reaction::reaction(joint, &multipliers, &teeth, &mut builder));
             forces.reactions = reactions.collect();
         }
+        if let Some(resisted) = &resisted {
+            forces.resistance = Some(resisted.fields(&carried, &mut builder));
+            lost = Some(resisted.power(&mut builder));
+        }
     }
     if requested.energy {
         builder.say(|_| "The work that is stored, and the power of what else acts:".into());
+        let added = match lost {
+            Some(lost) => builder.graph().add(loads.added, lost),
+            None => loads.added,
+        };
         let values = [
             ("kinetic_energy", loads.kinetic),
             ("potential_energy", loads.potential),
-            ("added_power", loads.added),
+            ("added_power", added),
         ];
         let [kinetic, potential, added] = values.map(|(name, value)| {
             let target = builder.pool.intermediate(name);
@@ -220,7 +264,7 @@ fn alone(
 /// Returns the effort of every driver: the negative work of all other forces along its value.
 fn efforts(
     carried: &virtual_work::Carried,
-    shared: Option<&Shared>,
+    superposed: Option<&Superposed>,
     builder: &mut Builder<'_>,
 ) -> Vec<Effort> {
     let driven: Vec<(usize, usize, Quantity)> = builder.system.driven().collect();
@@ -233,9 +277,9 @@ fn efforts(
         let driver = &builder.system.mechanism.joints[joint];
         let (name, value) = (driver.slug.clone(), driver.operands.value);
         let mut work = carried.along(symbol, builder);
-        if let Some(shared) = shared {
-            let shared_work = shared.along(symbol, builder);
-            work = builder.graph().add(work, shared_work);
+        if let Some(superposed) = superposed {
+            let more = superposed.along(symbol, builder);
+            work = builder.graph().add(work, more);
         }
         let [effort, power] =
             ["effort", "power"].map(|what| builder.pool.intermediate(&format!("{what}_{name}")));

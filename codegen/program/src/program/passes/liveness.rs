@@ -60,8 +60,9 @@ fn needed(
     let (mut remains, mut followed) = (false, false);
     for mut statement in statements.into_iter().rev() {
         let is_needed = |symbol: SymbolId| live.contains(&symbol) || kept(symbol);
-        if let Statement::Solve { targets, .. } | Statement::Multipliers { targets, .. } =
-            &mut statement
+        if let Statement::Solve { targets, .. }
+        | Statement::Multipliers { targets, .. }
+        | Statement::Friction { targets, .. } = &mut statement
         {
             for target in targets {
                 *target = target.filter(|&symbol| is_needed(symbol));

@@ -40,6 +40,9 @@ pub const WIDENED: usize = 8;
 const OF_CELL: [usize; 3] = [240, 280, 16];
 const OF_CELL_IN_ROUND: usize = 32;
 
+/// Largest number of steps that solve for the forces of friction.
+pub const FRICTION_STEPS: usize = 32;
+
 /// Poses of one path about a dead center: eight on both sides, the nearest one, and three modes there.
 const PATH_POSES: usize = 8 + 1 + 3;
 
@@ -77,6 +80,8 @@ pub struct Work {
     pub recover: Operations,
     /// True if a block is iterated.
     pub is_iterated: bool,
+    /// True if the forces of friction are iterated.
+    pub has_friction: bool,
     /// Number of blocks that may cross in one instant.
     pub crossing: usize,
     /// Work of the path verification; `None` if the path is not guarded.
@@ -107,12 +112,17 @@ impl Work {
         }
         let iterated: Vec<&NewtonBlock> =
             blocks.iter().filter_map(|it| it.newton.as_ref()).collect();
-        // Multipliers of subsystems without a closed form.
+        let mut has_friction = false;
+        // Multipliers of subsystems without a closed form, and friction.
         let statements = blocks.iter().flat_map(|it| &it.function.statements);
         for statement in statements {
             if let Statement::Multipliers { forces, .. } = statement {
                 attempt += elimination(forces.len());
                 attempt += substitution(forces.len());
+            }
+            if let Statement::Friction { coefficients, .. } = statement {
+                attempt += of_friction(coefficients.len()).times(FRICTION_STEPS);
+                has_friction = true;
             }
         }
         let mut recover = attempt;
@@ -124,6 +134,7 @@ impl Work {
             attempt,
             recover,
             is_iterated: !iterated.is_empty(),
+            has_friction,
             crossing: blocks.len().min(BLOCKS),
             window: path.map(|path| {
                 let mut window = Looks::default();
@@ -245,6 +256,17 @@ impl Looks {
             }
         }
     }
+}
+
+/// Returns the operations of one step that solves for the forces of friction in so many joints.
+fn of_friction(joints: usize) -> Operations {
+    // Two components and their derivatives for each pair of joints.
+    let mut step = products(joints, 4);
+    step += elimination(joints);
+    step += substitution(joints);
+    step.divisions += 2 * joints;
+    step.square_roots += joints;
+    step
 }
 
 /// Returns the operations of the path verification of a chain with so many unknowns.

@@ -70,10 +70,12 @@ fn function(index: usize, block: &Block, printer: &Printer<'_>, text: &mut Code)
         text.line(format!("{} {array};", printer.real()));
     }
     let statements = &block.function.statements;
-    if statements
-        .iter()
-        .any(|it| matches!(it, Statement::Multipliers { .. }))
-    {
+    if statements.iter().any(|it| {
+        matches!(
+            it,
+            Statement::Multipliers { .. } | Statement::Friction { .. }
+        )
+    }) {
         let (failure, conditions) = (printer.runtime("failure"), printer.runtime("conditions"));
         let zero = printer.number(0.0);
         text.line(format!("{failure} failure;"));

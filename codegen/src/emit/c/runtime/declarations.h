@@ -73,6 +73,16 @@ typedef struct linkwright$f_value_range {
 
 /* The rest of this file is for generated code. */
 
+/* Joints with friction, pins before slides: coefficients with the sign of what resists sliding, and both components of
+   each reaction without friction and to a unit of each force. */
+typedef struct linkwright$f_friction_joints {
+    uint16_t count;
+    uint16_t pins;
+    const $real *coefficients;
+    const $real *alone;
+    const $real *units;
+} linkwright$f_friction_joints;
+
 /* Cubic pieces side by side, each valid from its start to the next. */
 typedef struct linkwright$f_table {
     const $real *starts;
@@ -400,6 +410,9 @@ LINKWRIGHT_FUNCTION linkwright_status linkwright$f_factorize(const linkwright$f_
 /* Multipliers of a transposed Jacobian, which replace the forces, in a workspace of n x n + 3 n numbers and n
    exchanges. */
 LINKWRIGHT_FUNCTION linkwright_status linkwright$f_multipliers(uint16_t n, const $real jacobian[], $real forces[],
+    $real reals[], uint16_t exchanges[], const linkwright$f_conditions *conditions, uint16_t block);
+/* Forces of friction in joints, in a workspace of 2 n x n + 5 n numbers and n exchanges. */
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_friction(const linkwright$f_friction_joints *joints, $real found[],
     $real reals[], uint16_t exchanges[], const linkwright$f_conditions *conditions, uint16_t block);
 LINKWRIGHT_FUNCTION void linkwright$f_solve_factorized(const linkwright$f_factorization *factorization,
     $real right_hand_side[]);

@@ -213,7 +213,7 @@ LINKWRIGHT_FUNCTION static bool end_of_reach$f($real reached, const linkwright$f
 LINKWRIGHT_FUNCTION static bool refuses_number$f(linkwright_status status)
 {
     return (status == LINKWRIGHT_NOT_POSITIVE) || (status == LINKWRIGHT_NOT_FINITE)
-        || (status == LINKWRIGHT_LOAD_NOT_FINITE);
+        || (status == LINKWRIGHT_LOAD_NOT_FINITE) || (status == LINKWRIGHT_FRICTION_UNSETTLED);
 }
 
 /* Status of a failure that no shorter step would have avoided. */
