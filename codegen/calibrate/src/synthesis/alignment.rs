@@ -54,8 +54,9 @@ mod tests {
     use super::aligned;
 
     fn costs(rows: &[usize], instants: usize) -> Vec<Vec<f64>> {
-        let row = |at: &usize| (0..instants).map(|it| f64::from(u8::from(it != *at)));
-        rows.iter().map(|at| row(at).collect()).collect()
+        let cost = |it: usize, at: usize| if it == at { 0.0 } else { 1.0 };
+        let row = |at: &usize| (0..instants).map(|it| cost(it, *at)).collect();
+        rows.iter().map(row).collect()
     }
 
     #[test]
