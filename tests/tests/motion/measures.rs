@@ -260,6 +260,52 @@ fn extremes_and_broken_limits_are_those_of_the_closed_form() {
     assert!((broken.worst.value - (ROD - CRANK)).abs() < 1e-15);
 }
 
+/// Coupler and rocker of a four-bar enclose the angle of the law of cosines, which is folded beyond a right angle. Its proven bounds hold
+/// where the magnitudes in it pass zero.
+#[test]
+fn transmission_angles_are_those_of_the_law_of_cosines() {
+    let derived = written(
+        "mechanism four_bar {
+            point A = (0, 0), D = (100mm, 0);
+            body crank   at (0, 0, 40deg)       { A: (0, 0), B: (40mm, 0) }
+            body coupler at (30mm, 25mm, 20deg) { B: (0, 0), C: (100mm, 0) }
+            body rocker  at (100mm, 0, 57deg)   { D: (0, 0), C: (70mm, 0) }
+            revolute A(ground, crank);
+            revolute B(crank, coupler);
+            revolute C(coupler, rocker);
+            revolute D(ground, rocker);
+            drive phi(crank) = 40deg + 3*t;
+            measure mu = transmission_angle(B, C, D);
+            limit mu >= 36deg;
+        }",
+    );
+    let angle = |phi: f64| {
+        let square = 0.1_f64.powi(2) + 0.04_f64.powi(2) - 0.008 * phi.cos();
+        let cosine = (0.1_f64.powi(2) + 0.07_f64.powi(2) - square) / 0.014;
+        cosine.abs().acos()
+    };
+    let view = Interpreted::new(&derived).expect("a motion");
+    let mu = Observable::named(&derived, "mu").expect("a measure");
+    let times: Vec<f64> = (0..=210).map(|step| 0.01 * f64::from(step)).collect();
+    let mut worst = 0.0_f64;
+    followed(&view, &times, |view, instant| {
+        let value = Observable::values(view, &[mu], instant)[0];
+        worst = worst.max((value - angle(40_f64.to_radians() + 3.0 * instant.t())).abs());
+    });
+    println!("{worst:e}");
+    // Near a right angle, the arc cosine of a magnitude near zero keeps its digits.
+    assert!(worst < 1e-13, "{worst:e}");
+    let schedule = Schedule::whole(0.0, 2.1, 0.01).expect("a range");
+    let check = Check::new(view, &schedule, |_| ());
+    let proof = check.prove(&schedule, &[]);
+    let proven = proof.proven.expect("a motion");
+    let [low, high] = proven.measures[0].1.bounds;
+    // The crank points away from D at the smallest angle, and a right angle is passed twice.
+    let least = angle(PI);
+    assert!(low <= least && 36_f64.to_radians() <= low, "{low} {least}");
+    assert!((PI / 2.0..PI / 2.0 + 1e-6).contains(&high), "{high}");
+}
+
 /// x(φ), and its first two derivatives.
 fn x(phi: f64) -> f64 {
     CRANK * phi.cos() + (ROD * ROD - (CRANK * phi.sin()).powi(2)).sqrt()
