@@ -37,9 +37,9 @@ The points are those of Cabrera, Simon and Prado 2002 (Optimal synthesis of mech
 Acharyya and Mandal 2009 (Performance of EAs for four-bar linkage synthesis, Mech. Mach. Theory 44). The error is the sum of the squared
 distances. **Published** is the error of the best published design that could be found with its numbers: it was computed from these numbers
 by the intersection of two circles, as **this** error was. Errors that are quoted without a design are not listed. The cranks of all designs turn
-round. **Seeds** is the number of
-those of which each alone reaches the published error, and the time is the median of one. The certificate is a proof that the mechanism moves on one smooth path over a full turn; the sine is that between coupler and rocker
-where they come closest to being in line.
+round. **Seeds** is the number of those of which each alone reaches the published error, and the time is the median of one. The certificate is
+a proof that the mechanism moves on one smooth path over a full turn; the sine is that between coupler and rocker where they come closest to
+being in line.
 
 The designs are from W.-Y. Lin, from J. A. Cabrera, A. Ortiz, F. Nadal and J. J. Castillo 2011 (An evolutionary algorithm for path synthesis of
 mechanisms, Mech. Mach. Theory 46), and from S. Nguyen-Van, Q. X. Lieu, N. Xuan-Mung and T. T. N. Nguyen 2022 (Symmetry 14, 381), beside whose program

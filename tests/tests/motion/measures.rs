@@ -306,6 +306,50 @@ fn transmission_angles_are_those_of_the_law_of_cosines() {
     assert!((PI / 2.0..PI / 2.0 + 1e-6).contains(&high), "{high}");
 }
 
+/// The crank moves its own inertia and the ram, whose speed is dx/dφ of that of the crank.
+#[test]
+fn the_reduced_mass_of_a_crank_is_that_of_its_energy() {
+    let text = "mechanism press {
+        point O = (0, 0);
+        body crank at (0, 0, 0.3) { O, A: (30mm, 0) }
+        body rod at (28mm, 9mm, -0.09) { A: (0, 0), B: (100mm, 0) }
+        body ram at (127mm, 0) { B: (0, 0) }
+        revolute O(ground, crank);
+        revolute A(crank, rod);
+        revolute B(rod, ram);
+        translational guide(ground, ram) along O -> B;
+        drive motor: phi(crank) = 0.3 + 4*t;
+        mass crank = 0.5kg at O inertia 2e-4kg*m^2;
+        mass ram = 0.8kg;
+        measure moved = reduced_mass(motor);
+        measure energy = kinetic_energy() + potential_energy();
+    }";
+    let derived = written(text);
+    let view = Interpreted::new(&derived).expect("a motion");
+    let measures = ["moved", "energy"].map(|it| Observable::named(&derived, it).expect("one"));
+    let mut worst = [0.0_f64; 2];
+    followed(&view, &times(), |view, instant| {
+        let phi = START + RATE * instant.t();
+        let inertia = 2e-4 + 0.8 * first(phi) * first(phi);
+        let values = Observable::values(view, &measures, instant);
+        let expected = [inertia, 0.5 * inertia * RATE * RATE];
+        for ((worst, value), expected) in worst.iter_mut().zip(values).zip(expected) {
+            *worst = worst.max((value / expected - 1.0).abs());
+        }
+    });
+    println!("{worst:?}");
+    assert!(worst.iter().all(|it| *it < 1e-13), "{worst:?}");
+    let two = text.replace("mass crank", "drive second: y(ram) = t; mass crank");
+    let found = linkwright_codegen::read(&linkwright_codegen::Source::new("press.mech", two));
+    let found = found.expect_err("two drivers move");
+    assert!(
+        found
+            .iter()
+            .any(|it| it.message.contains("moves masses, too")),
+        "{found:?}"
+    );
+}
+
 /// x(φ), and its first two derivatives.
 fn x(phi: f64) -> f64 {
     CRANK * phi.cos() + (ROD * ROD - (CRANK * phi.sin()).powi(2)).sqrt()

@@ -6,7 +6,7 @@ use super::resolve::Resolver;
 use super::{ForceTerm, ReactionPart, Role};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::ExprId;
-use crate::joint::{Feature, Quantity};
+use crate::joint::Feature;
 use crate::syntax::{Expression, ExpressionKind, Name};
 
 /// Functions that only measures contain.
@@ -26,6 +26,9 @@ pub const MEASURE_FUNCTIONS: &[&str] = &[
     "length",
     "tension",
     "energy",
+    "kinetic_energy",
+    "potential_energy",
+    "reduced_mass",
 ];
 
 /// Functions whose value is a vector.
@@ -51,13 +54,16 @@ impl Resolver<'_> {
         let count = match name {
             "relative_angle" => 2,
             "transmission_angle" => 3,
+            "kinetic_energy" | "potential_energy" => 0,
             _ => 1,
         };
         if arguments.len() != count {
             self.report_measure_count(name, count, arguments.len(), span);
             return Some(None);
         }
-        let argument = &arguments[0];
+        let Some(argument) = arguments.first() else {
+            return Some(self.energy_of_all(name));
+        };
         Some(match name {
             "x" => self.vector(argument).map(|([x, _], unit)| (x, unit)),
             "y" => self.vector(argument).map(|([_, y], unit)| (y, unit)),
@@ -68,6 +74,7 @@ impl Resolver<'_> {
             "transmission_angle" => self.transmission_angle(function, arguments),
             "moment" => self.moment_of_reaction(argument),
             "effort" | "power" => self.effort_of(function, argument),
+            "reduced_mass" => self.reduced_mass(argument, span),
             "length" | "tension" | "energy" => self.quantity_of_element(function, argument),
             _ => {
                 self.report_vector(function, span);
@@ -175,46 +182,6 @@ impl Resolver<'_> {
         self.force_in_measure(moment, Dimension::TORQUE)
     }
 
-    /// Resolves `effort(NAME)` or `power(NAME)` of a driver.
-    fn effort_of(&mut self, function: &Name, argument: &Expression) -> Option<Value> {
-        let name = self.name_in_measure(argument, "a driver")?;
-        let place = self.driver_named(&name)?;
-        let dimension = match self.linkage.joints[place].0.kind.value.quantity() {
-            Some(Quantity::Angle) => Dimension::TORQUE,
-            _ => Dimension::FORCE,
-        };
-        match function.text.as_str() {
-            "power" => self.force_in_measure(ForceTerm::Power(place), Dimension::POWER),
-            _ => self.force_in_measure(ForceTerm::Effort(place), dimension),
-        }
-    }
-
-    /// Returns the driver of this name, and records its use; `None` after an error.
-    pub(super) fn driver_named(&mut self, name: &Name) -> Option<usize> {
-        let joints = self.linkage.joints.iter().map(|(joint, _)| joint);
-        let mut drivers = joints
-            .enumerate()
-            .filter(|(_, joint)| joint.role == Role::Driver && joint.operands.value.is_some());
-        let named = drivers.find(|(_, joint)| joint.name.as_deref() == Some(&name.text));
-        let Some((place, driver)) = named else {
-            // A driver with an error has been reported.
-            if self.declared.drivers.declaration(&name.text).is_some() {
-                return None;
-            }
-            let message = format!("no driver is named `{}`", name.text);
-            self.diagnostics.push(
-                Diagnostic::error(Code::UnknownName, name.span, message)
-                    .label("not declared above")
-                    .help("name a driver behind `drive`: `drive crank: phi(1) = 2*t;`"),
-            );
-            return None;
-        };
-        if let Some(declaration) = driver.name_span {
-            self.note_use(name, declaration);
-        }
-        Some(place)
-    }
-
     /// Returns the joint of this name with a force or a moment; `None` after an error.
     fn joint_in_measure(&mut self, argument: &Expression, with_force: bool) -> Option<usize> {
         let name = self.name_in_measure(argument, "a joint")?;
@@ -300,7 +267,12 @@ impl Resolver<'_> {
 
     fn report_measure_count(&mut self, name: &str, wanted: usize, given: usize, span: Span) {
         let noun = if wanted == 1 { "argument" } else { "arguments" };
-        let message = format!("`{name}` takes {wanted} {noun}, not {given}");
+        let count = if wanted == 0 {
+            "no".to_string()
+        } else {
+            wanted.to_string()
+        };
+        let message = format!("`{name}` takes {count} {noun}, not {given}");
         let example = match name {
             "relative_angle" => "write `relative_angle(a, b)` with the names of two bodies",
             "transmission_angle" => {
@@ -308,6 +280,8 @@ impl Resolver<'_> {
             }
             "rate" => "write `rate(…)` with one formula, such as `rate(phi(1))`",
             "effort" | "power" => "write the name of a driver: `effort(crank)`",
+            "reduced_mass" => "write the name of a driver: `reduced_mass(crank)`",
+            "kinetic_energy" | "potential_energy" => "write `kinetic_energy()`",
             "length" | "tension" | "energy" => {
                 "write the name of a spring or damper: `tension(main)`"
             }

@@ -46,11 +46,11 @@ pub enum MeasureTerm {
         /// Components of the vector.
         components: Vec<ExprId>,
     },
-    /// Force, torque or power.
+    /// Force, torque, power or energy.
     Force(ForceTerm),
 }
 
-/// Force, torque or power in a measure.
+/// Force, torque, power or energy in a measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ForceTerm {
     /// Force or torque of a driver: an index into the mechanism's joints.
@@ -59,6 +59,10 @@ pub enum ForceTerm {
     Power(usize),
     /// Part of the reaction of a joint: an index into the mechanism's joints.
     Reaction(usize, ReactionPart),
+    /// Kinetic energy of all masses.
+    KineticEnergy,
+    /// Potential energy of gravity and springs.
+    PotentialEnergy,
 }
 
 /// Part of a reaction on the second body of a joint.

@@ -36,6 +36,7 @@ mod loads;
 mod marks;
 mod measure;
 mod measure_angles;
+mod measure_drivers;
 mod measure_functions;
 mod measured_element;
 mod measurement;

@@ -256,7 +256,12 @@ impl Resolver<'_> {
     }
 
     /// Returns the rate (1) or the acceleration (2) of a driven quantity in a measure.
-    fn rate_of_driver(&mut self, joint: usize, order: usize, span: Span) -> Option<ExprId> {
+    pub(super) fn rate_of_driver(
+        &mut self,
+        joint: usize,
+        order: usize,
+        span: Span,
+    ) -> Option<ExprId> {
         let driven = self.linkage.joints[joint].0.operands.value?;
         let mut value = (driven, Dimension::OfTime);
         for _ in 0..order {

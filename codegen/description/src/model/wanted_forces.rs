@@ -33,9 +33,11 @@ impl Resolver<'_> {
         }
         let measures = |is: fn(&ForceTerm) -> bool| self.measured_forces().any(|it| is(&it.0));
         let of_driver = measures(|it| matches!(it, ForceTerm::Effort(_) | ForceTerm::Power(_)));
+        let of_masses =
+            measures(|it| matches!(it, ForceTerm::KineticEnergy | ForceTerm::PotentialEnergy));
         let resists = !forces.frictions.is_empty();
         forces.efforts = of_driver || resists || self.has(RequestKind::Effort, statements);
-        forces.energy = self.has(RequestKind::Energy, statements);
+        forces.energy = of_masses || self.has(RequestKind::Energy, statements);
         let every = self.has(RequestKind::Reactions, statements);
         forces.reactions = self.reactions(statements, every);
         forces.least_norm = self.has(RequestKind::LeastNorm, statements);
@@ -46,6 +48,7 @@ impl Resolver<'_> {
                 _ if motors.any(|it| it.span.range().contains(&span.range().start)) => MOTOR,
                 ForceTerm::Effort(_) | ForceTerm::Power(_) => "effort",
                 ForceTerm::Reaction(..) => "reaction",
+                ForceTerm::KineticEnergy | ForceTerm::PotentialEnergy => "energy",
             };
             (word, span)
         }));

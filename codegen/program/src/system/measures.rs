@@ -299,6 +299,8 @@ fn force_value(
         ForceTerm::Effort(joint) => return column(ForceColumn::Effort(joint), pool),
         ForceTerm::Power(joint) => return column(ForceColumn::Power(joint), pool),
         ForceTerm::Reaction(joint, part) => (joint, part),
+        ForceTerm::KineticEnergy => return column(ForceColumn::KineticEnergy, pool),
+        ForceTerm::PotentialEnergy => return column(ForceColumn::PotentialEnergy, pool),
     };
     let axis = match part {
         ReactionPart::X => 0,
