@@ -340,13 +340,13 @@ fn the_reduced_mass_of_a_crank_is_that_of_its_energy() {
     println!("{worst:?}");
     assert!(worst.iter().all(|it| *it < 1e-13), "{worst:?}");
     let two = text.replace("mass crank", "drive second: y(ram) = t; mass crank");
-    let found = linkwright_codegen::read(&linkwright_codegen::Source::new("press.mech", two));
-    let found = found.expect_err("two drivers move");
+    let read = linkwright_codegen::read(&linkwright_codegen::Source::new("press.mech", two));
+    let errors = read.expect_err("two drivers move");
     assert!(
-        found
+        errors
             .iter()
             .any(|it| it.message.contains("moves masses, too")),
-        "{found:?}"
+        "{errors:?}"
     );
 }
 
