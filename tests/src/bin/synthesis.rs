@@ -26,6 +26,9 @@ struct Arguments {
     destination: Destination,
 }
 
+/// Number of candidates that are brought to their minima.
+const CANDIDATES: usize = 32;
+
 /// Largest error of a case that can be solved exactly.
 const ZERO_ERROR: f64 = 1e-12;
 
@@ -70,7 +73,9 @@ fn run(arguments: &Arguments) -> Result<bool, Box<dyn Error>> {
                 seed,
             };
             let begin = Instant::now();
-            let solved = case.solved(sampling, threads).ok_or("no solution")?;
+            let solved = case
+                .solved(sampling, CANDIDATES, threads)
+                .ok_or("no solution")?;
             seconds.push(begin.elapsed().as_secs_f64());
             reached += usize::from(solved.error <= largest(case));
             if best.as_ref().is_none_or(|it| solved.error < it.error) {

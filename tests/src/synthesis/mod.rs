@@ -23,9 +23,6 @@ pub use closed_form::{Design, Pose};
 /// Number of frames in which the mechanism moves.
 const FRAMES: usize = 73;
 
-/// Number of candidates that are brought to their minima.
-const CANDIDATES: usize = 32;
-
 /// Time between frames of a certificate (s), at a rate of one radian in a second.
 const STEP: f64 = 0.01;
 
@@ -197,14 +194,14 @@ impl Case {
         synthesis.expect("a search")
     }
 
-    /// Returns the best solution; `None` if none is found.
+    /// Returns the best solution among minima of `most` fits; `None` if none is found.
     ///
     /// # Panics
     /// If the description of the case has errors.
-    pub fn solved(&self, sampling: StartSampling, threads: usize) -> Option<Solved> {
+    pub fn solved(&self, sampling: StartSampling, most: usize, threads: usize) -> Option<Solved> {
         let synthesis = self.synthesis(threads);
         let stop = AtomicBool::new(false);
-        let (candidates, _) = synthesis.search(sampling, CANDIDATES, &stop, &|_| ());
+        let (candidates, _) = synthesis.search(sampling, most, &stop, &|_| ());
         let candidate = candidates.into_iter().next()?;
         let value = |name: &str| {
             let place = synthesis.names().iter().position(|it| it == name);

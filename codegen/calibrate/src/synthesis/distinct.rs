@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use linkwright_solver::Modes;
 
-use super::minimum::Problem;
+use super::problem::Problem;
 use super::starts::Start;
 use super::{Candidate, Task};
 

@@ -9,6 +9,7 @@ mod distinct;
 mod minimum;
 mod motion;
 mod penalties;
+mod problem;
 mod starts;
 mod targets;
 

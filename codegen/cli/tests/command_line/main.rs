@@ -6,6 +6,7 @@ mod branch;
 mod calibrate;
 #[cfg(feature = "calibrate")]
 mod calibrate_measures;
+#[cfg(feature = "calibrate")]
 mod calibrate_ranges;
 #[cfg(feature = "calibrate")]
 mod calibrate_trust;
@@ -71,6 +72,7 @@ mod sweep_parquet;
 #[cfg(unix)]
 mod sweep_resumed;
 mod sweep_sets;
+#[cfg(feature = "calibrate")]
 mod synthesize;
 mod tolerance;
 mod travel;

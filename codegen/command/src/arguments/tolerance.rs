@@ -79,4 +79,6 @@ Examples:
 The first order is not enough where the mean or the standard deviation of the sampled mechanisms
 differs from it by more than four standard errors and one percent of the largest standard deviation.
 
+Ctrl-C ends the sampling with the mechanisms so far; a second one ends the command.
+
 Exit codes: 0 done, also if sampled mechanisms fail, 1 the mechanism cannot be solved, 2 bad input.";

@@ -1,5 +1,6 @@
 //! Adds up tolerances of parameters, and samples mechanisms: the spread of measures along a motion.
 
+use std::sync::atomic::Ordering;
 use std::thread;
 
 use linkwright_codegen::diagnostic::Diagnostics;
@@ -13,6 +14,7 @@ use linkwright_solver::{Schedule, View as _};
 use super::description::{outputs, source, unopened, warn};
 use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::{SampleSequence, Tolerance};
+use crate::interruption;
 use crate::output::Output;
 use crate::progress::Progress;
 use crate::report::picture;
@@ -163,7 +165,11 @@ fn sampled(
 ) -> Option<SampledSpread> {
     let count = Some(arguments.samples).filter(|it| *it > 0)?;
     let mut progress = Progress::of_sets(u64::from(count));
-    let reached = |count| progress.reached(count);
+    let stop = interruption::flag();
+    let reached = |count| {
+        progress.reached(count);
+        !stop.load(Ordering::Relaxed)
+    };
     let sampled = SampledSpread::new(prepared, spread, samples, count, threads, reached);
     progress.finish();
     Some(sampled)

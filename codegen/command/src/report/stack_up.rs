@@ -181,10 +181,14 @@ pub fn write_sampled(report: &Report<'_>, output: &mut dyn Write) -> io::Result<
     };
     writeln!(
         output,
-        "\n{} by {} with seed {}",
+        "\n{} by {} with seed {}{}",
         counted(sampled.count, "sampled mechanism"),
         report.sequence,
-        report.seed
+        report.seed,
+        match sampled.is_interrupted {
+            true => ", interrupted",
+            false => "",
+        }
     )?;
     let share = |count: usize| 100.0 * count as f64 / sampled.count as f64;
     for (count, what) in [

@@ -5,7 +5,7 @@
 //! | `mechanism`, `motion` | name of the mechanism, and of the motion if there are several |
 //! | `t` | times of the frames (s) |
 //! | `sources` | `{source, unit, value, distribution, extent}` each; `distribution` is `uniform` with its half width, `normal` with its standard deviation, or `disc` with the radius of a pin's clearance |
-//! | `samples` | `{count, sequence, seed, unassembled, ended, failure}`, absent without samples; `failure` is the first one in words |
+//! | `samples` | `{count, interrupted, sequence, seed, unassembled, ended, failure}`, absent without samples; `interrupted` is true if Ctrl-C ended the sampling, and `failure` is the first one in words |
 //! | `measures` | `{measure, unit, derivatives, nominal, worst_case, deviation, slopes, largest_worst_case, largest_deviation, sampled}` each |
 //! | … `derivatives` | `exact`, or `differences` |
 //! | … `nominal`, `worst_case`, `deviation` | by frame; null where a neighboring mechanism cannot be solved |
@@ -52,6 +52,7 @@ struct Source<'a> {
 #[derive(Serialize)]
 struct Samples<'a> {
     count: usize,
+    interrupted: bool,
     sequence: &'a str,
     seed: u64,
     unassembled: usize,
@@ -135,6 +136,7 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
         sources: sources.collect(),
         samples: report.sampled.map(|it| Samples {
             count: it.count,
+            interrupted: it.is_interrupted,
             sequence: report.sequence,
             seed: report.seed,
             unassembled: it.unassembled,

@@ -20,6 +20,8 @@ const CHUNK: usize = 1 << 10;
 pub struct SampledSpread {
     /// Number of mechanisms.
     pub count: usize,
+    /// True if `reached` has ended the work early.
+    pub is_interrupted: bool,
     /// Number of mechanisms that cannot be assembled at the first time.
     pub unassembled: usize,
     /// Number of assembled mechanisms whose motion ends early.
@@ -39,14 +41,14 @@ pub struct SampledMeasure {
 
 impl SampledSpread {
     /// Solves `count` mechanisms at the times of the nominal motion, which has one at least. `reached` receives the number of solved
-    /// mechanisms. The result depends on neither the number of threads nor the size of pieces.
+    /// mechanisms; it returns false to end the work with these. The result depends on neither the number of threads nor the size of pieces.
     pub fn new(
         prepared: &Prepared,
         nominal: &StackUp,
         samples: &ToleranceSamples<'_>,
         count: u32,
         threads: usize,
-        mut reached: impl FnMut(usize),
+        mut reached: impl FnMut(usize) -> bool,
     ) -> SampledSpread {
         let observables: Vec<Observable> =
             nominal.measures.iter().map(|it| it.observable).collect();
@@ -56,6 +58,7 @@ impl SampledSpread {
         let parameters = prepared.blocks.nominal_parameters().0;
         let mut spread = SampledSpread {
             count: count as usize,
+            is_interrupted: false,
             unassembled: 0,
             ended: 0,
             failure: None,
@@ -84,11 +87,16 @@ impl SampledSpread {
                 spread.failure.get_or_insert_with(reason);
             }
             first += sets as u32;
-            reached(first as usize);
+            if !reached(first as usize) && first < count {
+                spread.is_interrupted = true;
+                spread.count = first as usize;
+                break;
+            }
         }
+        values.truncate(spread.count * of_set);
         let measures = nominal.measures.iter().enumerate();
         let measures = measures.map(|(own, measure)| {
-            let mut column = Vec::with_capacity(count as usize);
+            let mut column = Vec::with_capacity(spread.count);
             let moments = measure.nominal.iter().enumerate();
             let moments = moments.map(|(place, &about)| {
                 column.clear();
