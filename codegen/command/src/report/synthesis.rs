@@ -219,8 +219,8 @@ fn rows(report: &Report<'_>) -> Vec<Vec<String>> {
     let numbers = (1..=solutions.len()).map(|it| format!("solution {it}"));
     let mut rows = vec![std::iter::once(String::new()).chain(numbers).collect()];
     for (column, measured) in report.data.measured.iter().enumerate() {
-        let [quantity, unit] = taken_for(measured);
-        let name = match unit.as_str() {
+        let [quantity, _] = taken_for(measured);
+        let name = match measured.scale.text.as_str() {
             "" => quantity,
             unit => format!("{quantity} ({unit})"),
         };
