@@ -57,7 +57,7 @@ impl Resolver<'_> {
     }
 
     /// Reports a name that no joint has.
-    pub(super) fn report_nameless_joint(&mut self, name: &Name, constraints: &[usize]) {
+    fn report_nameless_joint(&mut self, name: &Name, constraints: &[usize]) {
         let message = format!("no joint is named `{}`", name.text);
         let finding = Diagnostic::error(Code::UnknownName, name.span, message)
             .label("not a joint of this mechanism");
@@ -71,9 +71,8 @@ impl Resolver<'_> {
         self.diagnostics.push(finding);
     }
 
-    /// Returns the pins of a clearance's name; empty after an error.
-    fn pins(&mut self, written: &Constant) -> Vec<usize> {
-        let name = &written.name;
+    /// Returns the constraints of this name, and records their use; empty after an error.
+    pub(super) fn constraints_named(&mut self, name: &Name) -> Vec<usize> {
         let constraints = self.constraint_places();
         let mut joints = constraints.clone();
         joints.retain(|&it| self.linkage.joints[it].0.name.as_deref() == Some(&name.text));
@@ -85,6 +84,13 @@ impl Resolver<'_> {
                 self.note_use(name, declaration);
             }
         }
+        joints
+    }
+
+    /// Returns the pins of a clearance's name; empty after an error.
+    fn pins(&mut self, written: &Constant) -> Vec<usize> {
+        let name = &written.name;
+        let joints = self.constraints_named(name);
         let joint = |place: usize| &self.linkage.joints[place].0;
         let other = joints.iter().copied();
         let mut other =

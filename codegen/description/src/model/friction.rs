@@ -138,17 +138,7 @@ impl Resolver<'_> {
     /// Returns the joints of a statement's name; empty after an error.
     fn joints_with_friction(&mut self, written: &syntax::Friction) -> Vec<usize> {
         let name = &written.joint;
-        let constraints = self.constraint_places();
-        let mut joints = constraints.clone();
-        joints.retain(|&it| self.linkage.joints[it].0.name.as_deref() == Some(&name.text));
-        if joints.is_empty() {
-            self.report_nameless_joint(name, &constraints);
-        }
-        for &place in &joints {
-            if let Some(declaration) = self.linkage.joints[place].0.name_span {
-                self.note_use(name, declaration);
-            }
-        }
+        let joints = self.constraints_named(name);
         let features: Vec<_> = joints.iter().map(|&it| self.feature_of(it)).collect();
         let slides = |it: &Option<Feature>| matches!(it, Some(Feature::Slide | Feature::Slot(_)));
         let is_pin = |it: &Option<Feature>| matches!(it, Some(Feature::Pin));
