@@ -155,6 +155,26 @@ pub fn determined_with(
     opened::determined(source, wanted, warnings).map_err(|reason| unopened(&reason, source))
 }
 
+/// Returns the equations of a motion that [`determined`] has found, with the sensitivities to these parameters alone.
+///
+/// # Errors
+/// Errors of the description.
+#[cfg(feature = "calibrate")]
+pub fn along(
+    source: &Source,
+    motion: Option<&str>,
+    parameters: &[&str],
+) -> Result<Derived, Problem> {
+    let read = linkwright_codegen::Read::along(source, parameters);
+    let read = read.map_err(|found| rendered(&found, source))?;
+    let derived = match motion {
+        Some(name) => read.motion(name).cloned(),
+        None => read.only(),
+    };
+    // Names of motions were checked before.
+    derived.ok_or_else(|| unopened(&Unopened::NoOrder, source))
+}
+
 /// Returns the blocks of a system; prints warnings on stderr.
 ///
 /// # Errors

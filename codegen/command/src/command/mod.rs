@@ -46,6 +46,7 @@ pub mod watch;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::thread;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory as _, FromArgMatches as _};
@@ -58,6 +59,12 @@ use crate::output::Refused;
 
 /// Licenses of the components of the command; a test of the binary writes them.
 const NOTICES: &str = include_str!("../../NOTICES.txt");
+
+/// Returns the requested number of threads; without a request as many as the machine has.
+fn threads(requested: Option<u16>) -> usize {
+    let available = || thread::available_parallelism().map_or(1, usize::from);
+    requested.map_or_else(available, usize::from)
+}
 
 /// Outcome of a command; the discriminant is the exit code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

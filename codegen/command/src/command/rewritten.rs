@@ -9,8 +9,17 @@ use linkwright_codegen::stages::model::Dimension;
 use linkwright_codegen::stages::syntax::{Statement, parse};
 use linkwright_codegen::stages::system::{Derived, System};
 
+use crate::output::{Beginning, Record, Signature};
+
 /// Largest relative difference of a written value from the fitted one.
 const VALUE_TOLERANCE: f64 = 1e-12;
+
+/// Signature that no file has: a description is never replaced without `--force`.
+pub const SIGNATURE: Signature = Signature {
+    noun: "a new file",
+    beginning: Beginning::Line(|_| false),
+    record: Record::None,
+};
 
 /// Body with its position (m) and its angle (rad).
 pub type BodyPose<'a> = (&'a str, [f64; 3]);

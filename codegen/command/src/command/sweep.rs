@@ -2,7 +2,6 @@
 
 use std::io::{self, BufReader, Write};
 use std::path::PathBuf;
-use std::thread;
 
 use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::sets::Extremes;
@@ -12,7 +11,7 @@ use super::description::{assembled, determined, interpreted, selected, set_all, 
 #[cfg(feature = "parquet")]
 use super::sweep_files::PARQUET_LEFT;
 use super::sweep_files::{CSV_LEFT, Files, TableFormat, is_stdout};
-use super::{Outcome, Problem, print, say};
+use super::{Outcome, Problem, print, say, threads};
 use crate::arguments;
 use crate::output::Pieces;
 use crate::progress::Progress;
@@ -43,9 +42,8 @@ pub fn run(arguments: &arguments::Sweep) -> Result<Outcome, Problem> {
     let files = Files::new(arguments, format, &source, &derived, &sets, &quantities)?;
     let blocks = interpreted(&derived, &source)?;
     let observables: Vec<Observable> = quantities.iter().map(|it| it.observable).collect();
-    let threads = arguments.threads.map(usize::from);
-    let threads = threads.or_else(|| thread::available_parallelism().ok().map(usize::from));
-    let sweep = Sweep::new(&blocks, &sets, &times, &observables, threads.unwrap_or(1));
+    let threads = threads(arguments.threads);
+    let sweep = Sweep::new(&blocks, &sets, &times, &observables, threads);
     let start = start(&arguments.branch, &blocks, times[0])?;
     let sweep = sweep.map_err(Problem)?.started(start);
     let has_instants = arguments.instants;

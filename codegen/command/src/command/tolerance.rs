@@ -1,7 +1,6 @@
 //! Adds up tolerances of parameters, and samples mechanisms: the spread of measures along a motion.
 
 use std::sync::atomic::Ordering;
-use std::thread;
 
 use linkwright_codegen::diagnostic::Diagnostics;
 use linkwright_solver::sets::MAX_DIMENSIONS;
@@ -12,7 +11,7 @@ use linkwright_solver::stack_up::{
 use linkwright_solver::{Schedule, View as _};
 
 use super::description::{outputs, source, unopened, warn};
-use super::{Outcome, Problem, in_folder, print, say};
+use super::{Outcome, Problem, in_folder, print, say, threads};
 use crate::arguments::{SampleSequence, Tolerance};
 use crate::interruption;
 use crate::output::Output;
@@ -52,9 +51,7 @@ pub fn run(arguments: &Tolerance) -> Result<Outcome, Problem> {
             pictures.push(outputs.file(&path, picture::SIGNATURE)?);
         }
     }
-    let threads = arguments.threads.map(usize::from);
-    let threads = threads.or_else(|| thread::available_parallelism().ok().map(usize::from));
-    let threads = threads.unwrap_or(1);
+    let threads = threads(arguments.threads);
     let spread = match StackUp::new(&prepared, &times, threads) {
         Ok(spread) => spread,
         Err(failure) => {

@@ -3,28 +3,19 @@
 mod pictures;
 
 use linkwright_calibrate::{Calibrator, Measurements, Unfit, leave_out_underived};
-use linkwright_codegen::diagnostic::{Source, nearest};
-use linkwright_codegen::stages::system::{Derived, System};
-use linkwright_solver::opened::Unopened;
+use linkwright_codegen::diagnostic::nearest;
+use linkwright_codegen::stages::system::System;
 
 use super::bounds::bounds;
 use super::compare::read;
 use super::description::{
-    chosen, determined, interpreted, outputs_besides, rendered, set_all, source, unopened,
+    along, chosen, determined, interpreted, outputs_besides, set_all, source,
 };
-use super::rewritten::rewritten;
+use super::rewritten::{SIGNATURE, rewritten};
 use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Calibrate;
-use crate::output::{Beginning, Record, Signature};
 use crate::report::calibration::{self, Report};
 use crate::report::{comparison_plot, picture};
-
-/// Signature that no file has: a description is never replaced without `--force`.
-const SIGNATURE: Signature = Signature {
-    noun: "a new file",
-    beginning: Beginning::Line(|_| false),
-    record: Record::None,
-};
 
 /// Fits parameters and reports the fit.
 ///
@@ -36,7 +27,8 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
         source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
     let plain = determined(&source, arguments.described.motion.as_deref())?;
     check_names(&plain.system, &arguments.param)?;
-    let derived = along(&source, arguments)?;
+    let names: Vec<&str> = arguments.param.iter().map(|it| it.trim()).collect();
+    let derived = along(&source, arguments.described.motion.as_deref(), &names)?;
     let derived = set_all(derived, &arguments.setting.set)?;
     let mut data = read(&arguments.table, &derived, true)?;
     let derived = data.drive(derived).map_err(Problem)?;
@@ -159,19 +151,6 @@ fn bounded(
         calibrator = calibrator.within(place, bounds);
     }
     Ok(calibrator)
-}
-
-/// Returns the equations with the sensitivities to the fitted parameters.
-fn along(source: &Source, arguments: &Calibrate) -> Result<Derived, Problem> {
-    let names: Vec<&str> = arguments.param.iter().map(|it| it.trim()).collect();
-    let read = linkwright_codegen::Read::along(source, &names);
-    let read = read.map_err(|found| rendered(&found, source))?;
-    let derived = match &arguments.described.motion {
-        Some(name) => read.motion(name).cloned(),
-        None => read.only(),
-    };
-    // Names of motions were checked before.
-    derived.ok_or_else(|| unopened(&Unopened::NoOrder, source))
 }
 
 /// Checks that all names are those of parameters, each once.

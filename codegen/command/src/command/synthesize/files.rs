@@ -6,20 +6,14 @@ use linkwright_solver::drawn::pose;
 use linkwright_solver::{Observable, Schedule, View as _};
 
 use super::super::description::outputs_besides;
+use super::super::rewritten::SIGNATURE;
 use super::super::{Problem, in_folder, print};
 use super::certified::Certified;
 use crate::arguments::Synthesize;
-use crate::output::{Beginning, Output, Record, Signature};
+use crate::output::Output;
 use crate::report::picture;
 use crate::report::synthesis::Report;
 use linkwright_page::motion::{Followed, Shown, Sink, Wanted};
-
-/// Signature that no file has: a description is never replaced without `--force`.
-const SIGNATURE: Signature = Signature {
-    noun: "a new file",
-    beginning: Beginning::Line(|_| false),
-    record: Record::None,
-};
 
 /// Number of positions on a path.
 const PLACES: usize = 360;

@@ -7,13 +7,8 @@ mod task;
 
 use std::sync::Mutex;
 use std::sync::atomic::Ordering;
-use std::thread;
 
-use linkwright_calibrate::{Bounds, StartSampling, Synthesis};
-use linkwright_codegen::Read;
-use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::stages::system::Derived;
-use linkwright_solver::opened::Unopened;
+use linkwright_calibrate::{StartSampling, Synthesis};
 
 pub use self::certified::Certified;
 use self::certified::Certifier;
@@ -21,8 +16,8 @@ use self::chosen::chosen;
 use self::files::Files;
 use self::task::{MotionRange, targets, unsearchable};
 use super::compare::read;
-use super::description::{determined, interpreted, rendered, source, unopened};
-use super::{Outcome, Problem, print, say};
+use super::description::{along, determined, interpreted, source};
+use super::{Outcome, Problem, print, say, threads};
 use crate::arguments::Synthesize;
 use crate::interruption;
 use crate::progress::Progress;
@@ -56,14 +51,10 @@ pub fn run(arguments: &Synthesize) -> Result<Outcome, Problem> {
     let mut files = Files::announced(arguments, &source, &derived.system.mechanism.name)?;
     // Prints the findings of the solution, which the search repeats.
     interpreted(&derived, &source)?;
-    let plain = data.drive(along(&source, motion, &[])?).map_err(Problem)?;
-    let differentiated = data
-        .drive(along(&source, motion, &bounds)?)
-        .map_err(Problem)?;
-    let threads = arguments.threads.map(usize::from);
-    let threads = threads.or_else(|| thread::available_parallelism().ok().map(usize::from));
-    let frames = range.frames();
-    let threads = threads.unwrap_or(1);
+    let names: Vec<&str> = bounds.iter().map(|it| it.0.as_str()).collect();
+    let driven = |names: &[&str]| data.drive(along(&source, motion, names)?).map_err(Problem);
+    let (plain, differentiated) = (driven(&[])?, driven(&names)?);
+    let (frames, threads) = (range.frames(), threads(arguments.threads));
     let synthesis = Synthesis::new(&plain, &differentiated, targets, &bounds, frames, threads);
     let synthesis = synthesis.map_err(|reason| unsearchable(&reason))?;
     let sampling = StartSampling {
@@ -135,20 +126,4 @@ pub fn run(arguments: &Synthesize) -> Result<Outcome, Problem> {
             Outcome::Failed
         }
     })
-}
-
-/// Returns the equations with the sensitivities to these parameters alone.
-fn along(
-    source: &Source,
-    motion: Option<&str>,
-    bounds: &[(String, Bounds)],
-) -> Result<Derived, Problem> {
-    let names: Vec<&str> = bounds.iter().map(|it| it.0.as_str()).collect();
-    let read = Read::along(source, &names).map_err(|found| rendered(&found, source))?;
-    let derived = match motion {
-        Some(name) => read.motion(name).cloned(),
-        None => read.only(),
-    };
-    // Names of motions were checked before.
-    derived.ok_or_else(|| unopened(&Unopened::NoOrder, source))
 }
